@@ -73,11 +73,11 @@ function lists(flat) {
 }
 
 /** Length to which texts of other programs are cut, as the engine's memory never shrinks. Texts so long are refused. */
-const LONGEST_FOREIGN = 2 ** 20 + 1;
+const MAX_FOREIGN = 2 ** 20 + 1;
 
 /** @param {string} text */
 function begun(text) {
-  return text.slice(0, LONGEST_FOREIGN);
+  return text.slice(0, MAX_FOREIGN);
 }
 
 export class Engine {

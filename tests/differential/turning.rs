@@ -62,7 +62,11 @@ fn rise() -> impl Strategy<Value = f64> {
 }
 
 fn times() -> impl Strategy<Value = f64> {
-    prop_oneof![0.0..10.0_f64, 0.0..Turning::LONGEST, Just(Turning::LONGEST)]
+    prop_oneof![
+        0.0..10.0_f64,
+        0.0..Turning::MAX_TIME,
+        Just(Turning::MAX_TIME)
+    ]
 }
 
 /// The pairs of shafts that can be driven.

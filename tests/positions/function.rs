@@ -234,7 +234,7 @@ fn refusals_name_what_is_wrong() {
     assert_eq!(bad, Err(expected));
     let mapping = mapping();
     assert_eq!(mapping.precision(0, &|x| x), Err(FunctionError::Count(0)));
-    let most = Task::MOST + 1;
+    let most = Task::MAX_POSITIONS + 1;
     assert_eq!(mapping.even(most, &|x| x), Err(FunctionError::Count(most)));
     let undefined = mapping.even(3, &|x| if x > 5.0 { f64::NAN } else { x });
     assert_eq!(undefined, Err(FunctionError::Undefined { x: 5.5 }));

@@ -70,7 +70,7 @@ fn every_fault_is_named() {
             [TaskError::Weight(0)]
         );
     }
-    let count = Task::MOST + 1;
+    let count = Task::MAX_POSITIONS + 1;
     let many = Dice::new(1).positions(count);
     assert_eq!(
         refused(FRAME, &many, Task::RATIOS),

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use crate::seed;
 
 /// The longest time for one text, far above what any has taken: a reader that takes longer has hung.
-const LONGEST: Duration = Duration::from_secs(60);
+const MAX_TIME: Duration = Duration::from_secs(60);
 
 /// A small generator (D. H. Lehmer, 1951), so that every run damages alike.
 #[derive(Debug)]
@@ -136,7 +136,7 @@ where
     let (send, receive) = mpsc::channel();
     let given = input.clone();
     thread::spawn(move || send.send(reader(given)));
-    match receive.recv_timeout(LONGEST) {
+    match receive.recv_timeout(MAX_TIME) {
         Ok(made) => made,
         Err(why) => panic!("ASSUR_SEED={}: {why} over {input:?}", seed()),
     }

@@ -4,7 +4,7 @@ import test from "node:test";
 import { lineOf } from "assur/app/notices.js";
 import { takeAddress, takeFile } from "assur/app/opening.js";
 import { attempt } from "assur/core/problem.js";
-import { LONGEST } from "assur/state/codec.js";
+import { MAX_LENGTH } from "assur/state/codec.js";
 import { initialState } from "assur/state/state.js";
 import { KINDS, address, damagedAddress, damagedFile, depth, held, sound } from "assur/tests/damage.js";
 import { newEngine } from "assur/tests/engine.js";
@@ -36,7 +36,7 @@ function judged(value, text) {
   const other = text !== undefined && (value === undefined ? "not_json" : (value?.format === undefined || depth(value) > 12) && "no_mechanism");
   if (other) return { value: null, problems: [{ code: other }, { code: "what_opens" }] };
   const size = text === undefined ? 0 : text.length - (typeof value.picture?.image === "string" ? value.picture.image.length : 0);
-  if (size > LONGEST) return { value: null, problems: [{ code: "too_many_characters", size, max: LONGEST }] };
+  if (size > MAX_LENGTH) return { value: null, problems: [{ code: "too_many_characters", size, max: MAX_LENGTH }] };
   return attempt(() => {
     if (text !== undefined) engine.checkKeys(text);
     return engine.read(value);

@@ -1,7 +1,7 @@
 // The animation loop, the only source of time in the page.
 
 /** Longest time step, in seconds, even if more time passes between two frames. */
-const LONGEST_STEP = 0.1;
+const MAX_STEP = 0.1;
 
 export class Loop {
   #step;
@@ -27,7 +27,7 @@ export class Loop {
 
   #frame = (/** @type {number} */ now) => {
     this.#handle = 0;
-    const dt = this.#last === null ? 0 : Math.min(Math.max(now - this.#last, 0) / 1000, LONGEST_STEP);
+    const dt = this.#last === null ? 0 : Math.min(Math.max(now - this.#last, 0) / 1000, MAX_STEP);
     const moving = this.#step(dt);
     this.#last = moving ? now : null;
     this.#render();

@@ -23,13 +23,13 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
 const EXTENSION = /\.linkage2$/i;
 
 /** Largest size of a file, in bytes. */
-const LARGEST_FILE = 20_000_000;
+const MAX_FILE = 20_000_000;
 
 /** Codes of problems with a file after which the notice also lists the kinds of file that can be opened. */
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
 /** Greatest length of a title, in characters. */
-const LONGEST_TITLE = 400;
+const MAX_TITLE = 400;
 
 /**
  * Makes a state from a value that comes from outside the page and is checked by the engine.
@@ -74,7 +74,7 @@ export async function takeAddress(address, engine, habits) {
  */
 function unfit({ size, type }) {
   if (type.startsWith("image/")) return { code: "is_picture" };
-  return size > LARGEST_FILE ? { code: "file_too_large", size: size / 1e6, max: LARGEST_FILE / 1e6 } : null;
+  return size > MAX_FILE ? { code: "file_too_large", size: size / 1e6, max: MAX_FILE / 1e6 } : null;
 }
 
 /**
@@ -117,7 +117,7 @@ export async function takeForeign(text, name, engine, habits) {
     const { read: { kind, document }, left_out } = engine.readForeign(text);
     lost = left_out;
     if ("source" in document) from ||= document.source ?? "";
-    const title = name && { title: name.replace(EXTENSION, "").slice(0, LONGEST_TITLE) };
+    const title = name && { title: name.replace(EXTENSION, "").slice(0, MAX_TITLE) };
     return { format: 2, kind, document: { ...document, ...title }, view: usualView({ lang: habits.lang }) };
   };
   const { state, failure } = await take(name === null ? "pasted" : "file", unwrap, engine, habits);

@@ -1,7 +1,7 @@
 // Widths of texts on a canvas, remembered because measuring a text takes a browser as long as drawing it.
 
 /** Number of remembered widths at which all are forgotten. */
-const MOST = 400;
+const MAX_REMEMBERED = 400;
 
 /** @type {Map<string, number>} widths by font and text; in the text, 0 stands for every digit */
 const known = new Map();
@@ -16,7 +16,7 @@ const known = new Map();
 export function textWidth(context, font, text) {
   const key = `${font} ${text.replace(/\d/g, "0")}`;
   const width = known.get(key) ?? context.measureText(text).width;
-  if (known.size >= MOST) known.clear();
+  if (known.size >= MAX_REMEMBERED) known.clear();
   known.set(key, width);
   return width;
 }

@@ -88,8 +88,8 @@ export class Transform {
 export class Zoom {
   /** The fitted view itself. */
   static NONE = new Zoom(1, 0, 0);
-  static LEAST = 1 / 64;
-  static MOST = 64;
+  static MIN = 1 / 64;
+  static MAX = 64;
 
   /**
    * @param {number} factor magnification of the fitted view
@@ -112,7 +112,7 @@ export class Zoom {
    * @param {number} height
    */
   static between(fit, view, [xmin, ymin, xmax, ymax], width, height) {
-    const factor = within(view.scale / fit.scale, Zoom.LEAST, Zoom.MOST);
+    const factor = within(view.scale / fit.scale, Zoom.MIN, Zoom.MAX);
     const [x, y] = view.toModel(width / 2, height / 2);
     const [fitX, fitY] = fit.toModel(width / 2, height / 2);
     return new Zoom(factor, within(x, xmin, xmax) - fitX, within(y, ymin, ymax) - fitY);

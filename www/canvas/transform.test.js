@@ -69,7 +69,7 @@ test("a zoom is the same view in a canvas of any size", () => {
     const bounds = [-2, -1, 3, 2];
     const [width, height] = [dice.between(200, 1500), dice.between(200, 1500)];
     const fit = Transform.fit(bounds, width, height, 20);
-    const factor = dice.between(Zoom.LEAST, 20);
+    const factor = dice.between(Zoom.MIN, 20);
     const view = fit.scaled(factor, dice.between(0, width), dice.between(0, height)).moved(dice.between(-9, 9), dice.between(-9, 9));
     const zoom = Zoom.between(fit, view, bounds, width, height);
     const [x, y] = view.toModel(width / 2, height / 2);
@@ -84,8 +84,8 @@ test("a zoom is the same view in a canvas of any size", () => {
 
 test("a zoom stays within its limits, and its middle inside the drawing", () => {
   const [bounds, fit] = [[0, 0, 10, 10], Transform.fit([0, 0, 10, 10], 500, 500, 0)];
-  assert.equal(Zoom.between(fit, fit.scaled(1000, 0, 0), bounds, 500, 500).factor, Zoom.MOST);
-  assert.equal(Zoom.between(fit, fit.scaled(0.001, 0, 0), bounds, 500, 500).factor, Zoom.LEAST);
+  assert.equal(Zoom.between(fit, fit.scaled(1000, 0, 0), bounds, 500, 500).factor, Zoom.MAX);
+  assert.equal(Zoom.between(fit, fit.scaled(0.001, 0, 0), bounds, 500, 500).factor, Zoom.MIN);
   const far = Zoom.between(fit, fit.moved(1e5, 0), bounds, 500, 500);
   near(far.upon(fit, 500, 500).toModel(250, 250), [0, 5]);
   near(Zoom.NONE.upon(fit, 500, 500).toScreen(3, 4), fit.toScreen(3, 4));

@@ -16,10 +16,10 @@ const BETWEEN = Object.freeze({
 });
 
 /** Limit of the number of measures. */
-const MOST = 8;
+const MAX_MEASURES = 8;
 
 /** Greatest distance of a press from the point or link that it chooses, in pixels. */
-const REACH = 26;
+const PICK_DISTANCE = 26;
 
 /** The separator before the last part of the name of a measure or of its derivative: `.`, `.d`, `.dd`. */
 const ORDERS = new RegExp(`\\.d{0,2}(?=(?:${MEASURES.join("|")})$)`);
@@ -143,8 +143,8 @@ export class Measures {
     this.#parts[2].hidden = count < 3;
     const parts = this.#listed;
     const measures = this.#snapshot?.state.view.measures ?? [];
-    this.#add.disabled = new Set(parts).size < parts.length || measures.length >= MOST || measures.includes(this.#name(parts));
-    this.#pick.disabled = measures.length >= MOST;
+    this.#add.disabled = new Set(parts).size < parts.length || measures.length >= MAX_MEASURES || measures.includes(this.#name(parts));
+    this.#pick.disabled = measures.length >= MAX_MEASURES;
   }
 
   get #listed() {
@@ -161,7 +161,7 @@ export class Measures {
     const name = this.#name(parts);
     this.#page.store.update((state) => {
       const { measures } = state.view;
-      return measures.includes(name) || measures.length >= MOST ? state : withView(state, { measures: [...measures, name] });
+      return measures.includes(name) || measures.length >= MAX_MEASURES ? state : withView(state, { measures: [...measures, name] });
     });
   }
 
@@ -217,7 +217,7 @@ export class Measures {
     const read = ("points" in summary ? summary.points : []).map((name) => ({ name, at: [readouts?.[`${name}.x`], readouts?.[`${name}.y`]] }));
     /** @type {string | null} */
     let nearest = null;
-    let least = REACH;
+    let least = PICK_DISTANCE;
     for (const { name, at: [px, py] } of [...held, ...read]) {
       if (px === undefined || py === undefined || !("points" in summary) || !summary.points.includes(name)) continue;
       const [left, top] = this.#page.mechanism.view.toScreen(px, py);
@@ -236,6 +236,6 @@ export class Measures {
     const { view } = this.#page.mechanism;
     const [left, top] = view.toModel(x, y);
     const near = attempt(() => this.#page.engine.linkAt(snapshot.frameInput, left, top)).value;
-    return near && near.off * view.scale < REACH ? near.link : null;
+    return near && near.off * view.scale < PICK_DISTANCE ? near.link : null;
   }
 }

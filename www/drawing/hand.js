@@ -14,7 +14,7 @@ import { side } from "assur/stage/paper.js";
  */
 
 /** Greatest distance of a press from the joint or link that it hits, in pixels: for a mouse, and for a finger. */
-const REACH = Object.freeze({ joint: [16, 26], link: [7, 14] });
+const PICK_DISTANCE = Object.freeze({ joint: [16, 26], link: [7, 14] });
 
 /** Event data for a press made by the keyboard. */
 const KEYED = Object.freeze({ pointerType: "mouse", altKey: false, shiftKey: false });
@@ -260,7 +260,7 @@ export class Hand {
    * @param {string} [but] joint to leave out
    */
   #joint(at, touch, but = "") {
-    return this.#page.mechanism.near(at, REACH.joint[Number(touch)], but);
+    return this.#page.mechanism.near(at, PICK_DISTANCE.joint[Number(touch)], but);
   }
 
   /**
@@ -292,7 +292,7 @@ export class Hand {
     const [x, y] = this.#view.toModel(at.x, at.y);
     const input = inputNow(this.#page);
     const near = attempt(() => this.#page.engine.linkAt(input, x, y)).value;
-    const reached = near && near.off * this.#view.scale <= REACH.link[Number(touch)];
+    const reached = near && near.off * this.#view.scale <= PICK_DISTANCE.link[Number(touch)];
     return { link: reached ? near.link : null, wheel: near?.wheel ?? null };
   }
 

@@ -3,13 +3,13 @@
 /** @typedef {Readonly<{ text: string, pixels: HTMLCanvasElement }>} Image */
 
 /** Longest side of an image that keeps its size, in pixels. */
-const LONGEST_SIDE = 2000;
+const MAX_SIDE = 2000;
 /** Lengths tried for the longer side of any other image, in pixels, until the text of the image is short enough. */
-const SIDES = Object.freeze([LONGEST_SIDE, 1400, 1000, 700]);
+const SIDES = Object.freeze([MAX_SIDE, 1400, 1000, 700]);
 const QUALITY = 0.85;
 
 /** Greatest length of an image's text in a state, in characters; the same as in assur-file. */
-const LONGEST = 2_000_000;
+const MAX_TEXT = 2_000_000;
 
 /** Text of an image of a type that a state takes without conversion. */
 const TAKEN = /^data:image\/(png|jpeg|webp|gif|svg\+xml);base64,/;
@@ -25,9 +25,9 @@ export async function imageOf(file) {
   try {
     const text = await address(file);
     const image = await loaded(text);
-    const pixels = painted(image, LONGEST_SIDE);
-    const large = Math.max(image.naturalWidth, image.naturalHeight) > LONGEST_SIDE && !text.startsWith("data:image/svg");
-    const taken = TAKEN.test(text) && text.length <= LONGEST && !large ? text : photograph(image);
+    const pixels = painted(image, MAX_SIDE);
+    const large = Math.max(image.naturalWidth, image.naturalHeight) > MAX_SIDE && !text.startsWith("data:image/svg");
+    const taken = TAKEN.test(text) && text.length <= MAX_TEXT && !large ? text : photograph(image);
     return taken === undefined ? null : { text: taken, pixels };
   } catch {
     return null;
@@ -40,7 +40,7 @@ export async function imageOf(file) {
  */
 export async function pixelsOf(text) {
   try {
-    return painted(await loaded(text), LONGEST_SIDE);
+    return painted(await loaded(text), MAX_SIDE);
   } catch {
     return null;
   }
@@ -53,7 +53,7 @@ export async function pixelsOf(text) {
 function photograph(image) {
   for (const side of SIDES) {
     const text = painted(image, side, "#ffffff").toDataURL("image/jpeg", QUALITY);
-    if (text.length <= LONGEST) return text;
+    if (text.length <= MAX_TEXT) return text;
   }
   return undefined;
 }

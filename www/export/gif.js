@@ -2,7 +2,7 @@
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 
 /** Shortest time for which programs show a picture, in hundredths of a second, the unit of GIF. */
-const SHORTEST = 2;
+const MIN_DELAY = 2;
 
 /** Share of the progress bar for painting; the rest is for writing the file. */
 const PAINTING = 1 / 3;
@@ -25,7 +25,7 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
   const stop = () => worker.terminate();
   signal.addEventListener("abort", stop);
   try {
-    const delay = Math.max(Math.round((100 * seconds) / count), SHORTEST);
+    const delay = Math.max(Math.round((100 * seconds) / count), MIN_DELAY);
     await answer(worker, signal, { width: canvas.width, height: canvas.height, delay });
     for await (const here of all) {
       ground(target);

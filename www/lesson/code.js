@@ -11,9 +11,9 @@ import { hash } from "assur/lesson/chance.js";
 /** Versions of the code: the present one, and an older one without numbers of tries. */
 const [VERSION, WITHOUT_TRIES] = ["assur2", "assur1"];
 
-/** Limits in characters. `LONGEST`: length of a code. `LONGEST_ANSWER`: length of an answer. */
-const LONGEST = 20_000;
-const LONGEST_ANSWER = 200;
+/** Limits in characters. `MAX_CODE`: length of a code. `MAX_ANSWER`: length of an answer. */
+const MAX_CODE = 20_000;
+const MAX_ANSWER = 200;
 
 /**
  * @param {Result} result
@@ -37,7 +37,7 @@ function checkSum(packed) {
  */
 export function fromCode(text) {
   const [version, packed, sum, ...more] = text.trim().split(".");
-  if (text.length > LONGEST || (version !== VERSION && version !== WITHOUT_TRIES) || !packed || more.length > 0 || sum !== checkSum(packed)) return null;
+  if (text.length > MAX_CODE || (version !== VERSION && version !== WITHOUT_TRIES) || !packed || more.length > 0 || sum !== checkSum(packed)) return null;
   try {
     const bytes = Uint8Array.from(atob(packed.replaceAll("-", "+").replaceAll("_", "/")), (char) => char.charCodeAt(0));
     /** @type {unknown} */
@@ -56,7 +56,7 @@ export function fromCode(text) {
  * @returns {value is string}
  */
 function isShort(value) {
-  return typeof value === "string" && value.length <= LONGEST_ANSWER;
+  return typeof value === "string" && value.length <= MAX_ANSWER;
 }
 
 /**

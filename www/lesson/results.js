@@ -7,7 +7,7 @@ import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 /** @typedef {import("assur/state/state.js").Written} Written */
 
 /** Largest number of names and of codes: more than a class needs. */
-const MOST = 200;
+const MAX_ENTRIES = 200;
 
 /** Time for which codes are judged before control returns to the browser, in milliseconds. */
 const SLICE = 12;
@@ -151,8 +151,8 @@ function saidOf({ steps }, index, given) {
 
 /**
  * @param {string} text
- * @returns {string[]} the lines that are not blank, at most {@link MOST}
+ * @returns {string[]} the lines that are not blank, at most {@link MAX_ENTRIES}
  */
 function lines(text) {
-  return text.split("\n").map((line) => line.trim()).filter((line) => line !== "").slice(0, MOST);
+  return text.split("\n").map((line) => line.trim()).filter((line) => line !== "").slice(0, MAX_ENTRIES);
 }

@@ -23,9 +23,9 @@ import { usualView } from "assur/state/state.js";
  * @typedef {NonNullable<Written["steps"][number]["question"]>} Asked
  */
 
-/** Limits in characters. `LONGEST_NAME`: length of a name. `LONGEST_ANSWER`: length of an answer in a code. */
-const LONGEST_NAME = 80;
-const LONGEST_ANSWER = 60;
+/** Limits in characters. `MAX_NAME`: length of a name. `MAX_ANSWER`: length of an answer in a code. */
+const MAX_NAME = 80;
+const MAX_ANSWER = 60;
 
 /**
  * Opens the document of a step with a reader's numbers.
@@ -69,7 +69,7 @@ export class WrittenLesson {
     this.#page = page;
     this.#words = words;
     this.#digest = digestOf(lesson, page.engine);
-    this.#reader = (kept(`lesson.${OWN}.${this.#digest}`) ?? "").slice(0, LONGEST_NAME);
+    this.#reader = (kept(`lesson.${OWN}.${this.#digest}`) ?? "").slice(0, MAX_NAME);
   }
 
   /** Name under which the reader's progress in this lesson is kept. */
@@ -177,7 +177,7 @@ export class WrittenLesson {
     // The form for lecturers contains the answers: only the lesson's author gets a button for it; others use the menu.
     const own = kept(WRITTEN_HERE) === this.#digest ? [rewrite] : [];
     if (!steps.some(({ question }) => question)) return [head, ...step, ...own];
-    const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(LONGEST_NAME), autocomplete: "off", spellcheck: "false" });
+    const reader = make("input", { id: "lesson-reader", class: "control", type: "text", maxlength: String(MAX_NAME), autocomplete: "off", spellcheck: "false" });
     reader.value = this.#reader;
     const varied = steps.some(({ shows }) => shows?.vary?.length);
     const note = make("p", { class: "lesson-note" });
@@ -213,7 +213,7 @@ export class WrittenLesson {
     const answers = this.#lesson.steps.map(({ question }, i) => {
       const id = String(i + 1);
       if (!question) return null;
-      const given = question.reach ? (progress.isSolved(id) ? REACHED : "") : progress.given(id).slice(0, LONGEST_ANSWER);
+      const given = question.reach ? (progress.isSolved(id) ? REACHED : "") : progress.given(id).slice(0, MAX_ANSWER);
       return { given, tries: progress.tries(id), shown: progress.isShown(id) };
     });
     this.#result.hidden = this.#reader.trim() === "" || !answers.some((answer) => answer && (answer.given || answer.shown));

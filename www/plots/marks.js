@@ -23,7 +23,7 @@ const BETWEEN = 4;
 const SPARSE = 12;
 
 /** Greatest number of points of curves that a label may cover. */
-const MOST_COVERED = 4;
+const MAX_COVERED = 4;
 
 /**
  * @param {import("assur/canvas/painter.js").Context} context
@@ -111,7 +111,7 @@ function freePlace(panel, mark, width, taken, points, scale) {
   const tops = mark.kind === "max" ? [above, above - farther, below, below + farther] : [below, below + farther, above, above - farther];
   const lefts = [x - width / 2, x - width / 4, x - (3 * width) / 4, x + gap, x - gap - width];
   let best = null;
-  let least = MOST_COVERED + 1;
+  let least = MAX_COVERED + 1;
   for (const top of tops) {
     if (top < panel.top - height || top + height > panel.top + panel.height + 3) continue;
     for (const wanted of lefts) {

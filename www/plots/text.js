@@ -16,7 +16,7 @@ import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "ass
 const SIZE = 11;
 
 /** Greatest number of curves that a title names, each in its colour; for more, the title is their quantity's symbol. */
-const MOST_NAMED = 3;
+const MAX_NAMED = 3;
 
 /**
  * @param {import("assur/canvas/painter.js").Context} context
@@ -93,7 +93,7 @@ function names(panel, words, naming) {
   // With several points each curve is named with its point.
   const points = coordinates(panel) ? series.map((one) => subscript(one.name.slice(0, one.name.lastIndexOf(".")))) : [];
   const several = new Set(points).size > 1;
-  if (series.length > MOST_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
+  if (series.length > MAX_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
   const symbols = series.map((one, i) => {
     const value = one.level === null || naming === "symbol" ? "" : writtenLevel(panel, one.level, words.numbers);
     const said = value === "" ? "" : naming === "value" ? ` = ${value}` : ` ${words.text("plots.throughout", { value })}`;

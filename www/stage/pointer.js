@@ -15,9 +15,9 @@ import { TRACERS, withView } from "assur/state/state.js";
  * }} Hand tool that receives the pointer's actions instead of the joints
  */
 
-/** Greatest distance from a pointer to a joint that it takes hold of, in pixels; `FINGER_REACH`: for a finger. */
-const REACH = 18;
-const FINGER_REACH = 28;
+/** Greatest distance from a pointer to a joint that it takes hold of, in pixels; `FINGER_PICK_DISTANCE`: for a finger. */
+const PICK_DISTANCE = 18;
+const FINGER_PICK_DISTANCE = 28;
 
 /** Greatest movement of a pressed pointer that does not count as a drag, in pixels. */
 const STILL = 4;
@@ -287,7 +287,7 @@ export class MechanismPointer {
    * @returns {Joint | null} the joint nearest to a pointer within its reach
    */
   #near(at, pointer) {
-    return this.#view.near(at, pointer === "touch" ? FINGER_REACH : REACH);
+    return this.#view.near(at, pointer === "touch" ? FINGER_PICK_DISTANCE : PICK_DISTANCE);
   }
 
   /** @param {string} joint name of the joint under the pointer or being dragged, empty for none */

@@ -26,7 +26,7 @@ const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
 /** Limits of the share of the canvas that the bounds may fill. Outside these limits, the view is fitted again. */
 const SMALLEST_SHARE = 0.1;
-const LARGEST_SHARE = 2;
+const MAX_SHARE = 2;
 
 /** Disc around a joint that can be dragged. `RING`: its radius, in pixels. `RING_OPACITY`: its opacity. */
 const RING = 15;
@@ -188,7 +188,7 @@ export class MechanismView {
    * @param {number} [top]
    */
   zoom(factor, left = this.#surface.width / 2, top = this.#surface.height / 2) {
-    const limited = Math.min(Math.max(factor, Zoom.LEAST / this.#zoom.factor), Zoom.MOST / this.#zoom.factor);
+    const limited = Math.min(Math.max(factor, Zoom.MIN / this.#zoom.factor), Zoom.MAX / this.#zoom.factor);
     this.#look(this.view.scaled(limited, left, top));
   }
 
@@ -218,7 +218,7 @@ export class MechanismView {
     const [right, top] = this.view.toScreen(xmax, ymax);
     const seen = left < width && right > 0 && top < height && bottom > 0;
     const share = Math.max((right - left) / width, (bottom - top) / height);
-    if (!seen || share < SMALLEST_SHARE || share > LARGEST_SHARE) this.fit();
+    if (!seen || share < SMALLEST_SHARE || share > MAX_SHARE) this.fit();
   }
 
   /**

@@ -1,5 +1,5 @@
 // The address bar: the address contains the state, and the browser's Back returns to the previous mechanism.
-import { LONGEST, toAddress } from "assur/state/codec.js";
+import { MAX_LENGTH, toAddress } from "assur/state/codec.js";
 import { guarded } from "assur/state/storage.js";
 import { FURTHER, usualView } from "assur/state/state.js";
 
@@ -71,12 +71,12 @@ export class Address {
    * @param {State} state
    */
   holds(state) {
-    return addressed(this.link(state)).length <= LONGEST;
+    return addressed(this.link(state)).length <= MAX_LENGTH;
   }
 
   /** @param {State} state */
   #shown(state) {
     const link = this.link(state);
-    return addressed(link).length <= LONGEST ? link : link.split("#")[0];
+    return addressed(link).length <= MAX_LENGTH ? link : link.split("#")[0];
   }
 }

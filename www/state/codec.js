@@ -15,9 +15,9 @@ const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({
 const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
-/** Limits of a state. `LONGEST`: characters without an image, which the engine checks. `DEEPEST`: depth of nesting. */
-export const LONGEST = 400_000;
-const DEEPEST = 12;
+/** Limits of a state. `MAX_LENGTH`: characters without an image, which the engine checks. `MAX_DEPTH`: depth of nesting. */
+export const MAX_LENGTH = 400_000;
+const MAX_DEPTH = 12;
 
 /** Fields of the view that hold the input. A short address omits them if the mechanism is in motion. */
 const PLACES = Object.freeze(["phi_deg", "s", "t"]);
@@ -56,7 +56,7 @@ function pairs(part, values) {
  * @returns {unknown} the state, which the engine has yet to check
  */
 export function fromAddress(hash, preset) {
-  if (hash.length > LONGEST) throw unreadable();
+  if (hash.length > MAX_LENGTH) throw unreadable();
   const [version, ...pairs] = hash.split("&");
   const kind = Object.hasOwn(KINDS, version) ? KINDS[version] : undefined;
   const whole = kind === undefined ? preset(plain(version)) : undefined;
@@ -99,7 +99,7 @@ export function fromFile(text) {
   if (value?.format === undefined) throw other;
   const image = value.picture?.image;
   const size = text.length - (typeof image === "string" ? image.length : 0);
-  if (size > LONGEST) throw new Refusal([{ code: "too_many_characters", size, max: LONGEST }]);
+  if (size > MAX_LENGTH) throw new Refusal([{ code: "too_many_characters", size, max: MAX_LENGTH }]);
   return shallow(value, other);
 }
 
@@ -146,6 +146,6 @@ function shallow(value, deep) {
     if (left === 0) throw deep;
     for (const inner of Object.values(part)) check(inner, left - 1);
   };
-  check(value, DEEPEST);
+  check(value, MAX_DEPTH);
   return value;
 }

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { LONGEST, fromAddress, fromFile, toAddress, toFile } from "assur/state/codec.js";
+import { MAX_LENGTH, fromAddress, fromFile, toAddress, toFile } from "assur/state/codec.js";
 import { initialState, usualView, withFurther, withView } from "assur/state/state.js";
 import { Refusal } from "assur/core/problem.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
@@ -97,7 +97,7 @@ test("an address that is none of ours is refused", () => {
   for (const hash of ["", "7&kind=mixer", "0", "1.0&", "janssen", "__proto__", "constructor&v.speed=1", "toString", "%E0%A4%A", "2&d.l1=%E0%A4%A", "jansen&d.title=Leg", "<b>", "-1&kind=mixer"]) {
     refused(() => fromAddress(hash, preset));
   }
-  refused(() => fromAddress(`2&kind=mixer&d.x=${"9".repeat(LONGEST)}`, preset));
+  refused(() => fromAddress(`2&kind=mixer&d.x=${"9".repeat(MAX_LENGTH)}`, preset));
   refused(() => fromAddress(`2&kind=mixer&d.x=${"[".repeat(20)}${"]".repeat(20)}`, preset));
 });
 
@@ -112,10 +112,10 @@ test("a file that is too long or too deep is refused; an image does not count fo
   const nested = (depth) => ({ format: 2, deep: JSON.parse(`${"[".repeat(depth)}${"]".repeat(depth)}`) });
   assert.deepEqual(fromFile(JSON.stringify(nested(11))), nested(11));
   refused(() => fromFile(JSON.stringify(nested(12))), "no_mechanism");
-  refused(() => fromFile(JSON.stringify({ format: 2, long: "x".repeat(LONGEST) })), "too_many_characters");
+  refused(() => fromFile(JSON.stringify({ format: 2, long: "x".repeat(MAX_LENGTH) })), "too_many_characters");
   for (const text of ["", "{", "undefined", "{\"format\":2,}", "<linkage2>", "[".repeat(90_000)]) refused(() => fromFile(text), "not_json");
   for (const text of ["null", "1", "[]", "{\"form\":2}"]) refused(() => fromFile(text), "no_mechanism");
-  const image = "x".repeat(LONGEST);
+  const image = "x".repeat(MAX_LENGTH);
   assert.equal(fromFile(JSON.stringify({ format: 2, picture: { image } })).picture.image, image);
-  refused(() => fromFile(JSON.stringify({ format: 2, picture: { image, more: "x".repeat(LONGEST) } })), "too_many_characters");
+  refused(() => fromFile(JSON.stringify({ format: 2, picture: { image, more: "x".repeat(MAX_LENGTH) } })), "too_many_characters");
 });

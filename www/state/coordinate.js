@@ -23,7 +23,7 @@ const PERIOD = 6;
 const STEPS = 100;
 
 /** Longest time that the engine accepts, in seconds. */
-const LONGEST = 1e6;
+const MAX_TIME = 1e6;
 
 /** Fraction of a span of time that is too small to see. */
 const HAIR = 1e-9;
@@ -138,7 +138,7 @@ export class Coordinate {
    * @returns {State} the state with this input; a slide stops at the ends of its travel, time at 0 and at the end of a run
    */
   put(state, place) {
-    const wanted = this.moves === "time" ? Math.min(place, LONGEST) : place;
+    const wanted = this.moves === "time" ? Math.min(place, MAX_TIME) : place;
     const { start, end } = this.axis(wanted);
     const reached = this.#turns ? this.onto(wanted) : Math.min(Math.max(wanted, start), end);
     return withView(state, { [this.field]: reached });

@@ -16,7 +16,7 @@ import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from
 const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
 
 /** Limit of the number of steps. */
-const MOST = 1000;
+const MAX_STEPS = 1000;
 /** Limit of the total length of all images in the steps, in characters; one image may have two million. */
 const IMAGES = 20_000_000;
 
@@ -116,7 +116,7 @@ export class History {
   /** @param {Moment} one moment to return to; beyond a limit, the oldest moments are dropped */
   #add(one) {
     this.#past.push(one);
-    while (this.#past.length > MOST || imagesOf(this.#past) > IMAGES) this.#past.shift();
+    while (this.#past.length > MAX_STEPS || imagesOf(this.#past) > IMAGES) this.#past.shift();
   }
 
   /** Drops the numbers that were rejected after the last step or, if there are none, undoes the step. */

@@ -12,10 +12,10 @@ const TAIL = 48;
 /** Key of the digests of lecturers' lessons with stored names and answers, the most recently used last. */
 const LESSONS = "assur.lessons";
 /** Limit of the number of these lessons. Without it, a classroom machine would fill up. */
-const MOST_LESSONS = 40;
+const MAX_LESSONS = 40;
 const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
 /** Key under which a state that could not be read is put aside instead of being overwritten. */
-const ASIDE = "assur.state.unread";
+const UNREAD = "assur.state.unread";
 
 /** Key in the session storage of two addresses: the one that a reload may still load, and the intended one. */
 const LEFT = "assur.left";
@@ -72,7 +72,7 @@ function forgetLessons(digest) {
   const keys = Array.from({ length: localStorage.length }, (_, i) => localStorage.key(i) ?? "");
   const listed = (localStorage.getItem(LESSONS) ?? "").split(" ");
   const older = [...keys.map(lessonOf).filter((one) => !listed.includes(one)), ...listed];
-  const last = [...new Set(older.filter((one) => one !== "" && one !== digest)), digest].slice(-MOST_LESSONS);
+  const last = [...new Set(older.filter((one) => one !== "" && one !== digest)), digest].slice(-MAX_LESSONS);
   for (const key of keys) if (![...last, ""].includes(lessonOf(key))) localStorage.removeItem(key);
   localStorage.setItem(LESSONS, last.join(" "));
 }
@@ -87,7 +87,7 @@ function lessonOf(key) {
 
 /** @param {string} text */
 export function putAside(text) {
-  guarded(() => localStorage.setItem(ASIDE, text));
+  guarded(() => localStorage.setItem(UNREAD, text));
 }
 
 /**

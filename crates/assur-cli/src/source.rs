@@ -21,7 +21,7 @@ const LARGEST: u64 = 4 << 20;
 /// Maximum number of characters shown after the host in a URL of another program.
 const SHOWN: usize = 16;
 /// Maximum number of characters shown of the host in such a URL.
-const LONGEST_HOST: usize = 60;
+const MAX_HOST: usize = 60;
 
 /// NAME on the command line: a catalogue name, a file, or a URL of another program (only its beginning is displayed).
 #[derive(Clone, Debug)]
@@ -45,7 +45,7 @@ impl Display for Name {
             return f.write_str(&self.0);
         };
         let host = rest.find(['/', '?', '#']).unwrap_or(rest.len());
-        let host = rest[..host].chars().count().min(LONGEST_HOST);
+        let host = rest[..host].chars().count().min(MAX_HOST);
         let most = scheme.chars().count() + "://".len() + host + SHOWN;
         let mut chars = self.0.chars();
         let beginning: String = chars.by_ref().take(most).collect();

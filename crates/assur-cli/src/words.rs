@@ -136,13 +136,13 @@ fn filled(place: &str, value: &Value) -> String {
 
 /// Shortens a long text of a file to its beginning and end, for a message.
 fn shortened(text: &str) -> String {
-    const MOST: usize = 300;
+    const MAX_LENGTH: usize = 300;
     const END: usize = 100;
     let count = text.chars().count();
-    if count <= MOST {
+    if count <= MAX_LENGTH {
         return text.to_owned();
     }
-    let beginning: String = text.chars().take(MOST - END).collect();
+    let beginning: String = text.chars().take(MAX_LENGTH - END).collect();
     let end: String = text.chars().skip(count - END).collect();
     format!("{beginning}…{end}")
 }

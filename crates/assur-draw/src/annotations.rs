@@ -96,7 +96,7 @@ const BLADES: [usize; 2] = [3, 4];
 const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4, and of wheels 5, 6, … around it.
-const WHEELS: [Role; 1 + GearSet::MOST] = [
+const WHEELS: [Role; 1 + GearSet::MAX_WHEELS] = [
     Role::Accent1,
     Role::Accent2,
     Role::Accent3,

@@ -37,7 +37,7 @@ use slides::Guide;
 use wheels::Gearing;
 
 /// Least angle between a name beyond a link's end and the other links at that end, radians.
-const ASIDE: f64 = 0.7;
+const MIN_ANGLE: f64 = 0.7;
 
 /// View of a linkage: everything that is drawn in addition to its links.
 #[derive(Clone, Debug, Default)]
@@ -66,14 +66,14 @@ impl View {
     }
 }
 
-/// Turns a direction until it is at least [`ASIDE`] away from all others.
+/// Turns a direction until it is at least [`MIN_ANGLE`] away from all others.
 fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
     let angle = |other: Vector| other.perp(&direction).atan2(other.dot(&direction));
     let nearest = others
         .filter(|other| other.norm() > 0.0)
         .map(angle)
         .reduce(|a, b| if b.abs() < a.abs() { b } else { a });
-    let by = nearest.map_or(0.0, |off| (ASIDE - off.abs()).max(0.0).copysign(off));
+    let by = nearest.map_or(0.0, |off| (MIN_ANGLE - off.abs()).max(0.0).copysign(off));
     layout::turned(direction, by)
 }
 

@@ -33,11 +33,11 @@ pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
     /// Drawn length of the longest vector that counts for the scale, relative to the drawing's size.
-    const LONGEST: f64 = 0.3;
+    const DRAWN_LENGTH: f64 = 0.3;
     /// Greatest length of a vector whose tip must be within the drawing, relative to the drawing's size.
     const ROOM: f64 = 0.5;
     /// Least value assumed for the longest derivative when the scale is computed, relative to the drawing's size.
-    const LEAST: f64 = 1e-9;
+    const MIN_DERIVATIVE: f64 = 1e-9;
 
     /// Returns the scales for the paths of points over a motion. The longest tenth of each point's vectors does not
     /// count, because vectors grow without bound near dead points.
@@ -50,7 +50,7 @@ impl Scales {
                 lengths.get(lengths.len() * 9 / 10).copied()
             };
             let longest = paths.iter().filter_map(usual).fold(0.0, f64::max);
-            Self::LONGEST * size / longest.max(Self::LEAST * size)
+            Self::DRAWN_LENGTH * size / longest.max(Self::MIN_DERIVATIVE * size)
         }))
     }
 
@@ -323,7 +323,7 @@ mod tests {
         let paths = [slow, wild.collect()];
         let Scales([first, second]) = Scales::of(&paths, 10.0);
         assert!(
-            (first * 2.0 - Scales::LONGEST * 10.0).abs() < 1e-12,
+            (first * 2.0 - Scales::DRAWN_LENGTH * 10.0).abs() < 1e-12,
             "{first}"
         );
         assert!(second.is_finite() && second > 0.0);

@@ -121,13 +121,13 @@ pub(crate) const HATCH: f64 = 1.1;
 /// Distance between the strokes of a hatching, in symbol units.
 const STROKES: f64 = 1.5;
 /// Maximum number of strokes along a line.
-const MOST_STROKES: f64 = 400.0;
+const MAX_STROKES: f64 = 400.0;
 
 /// Draws a line of the frame, hatched on the side of the unit vector `side`.
 pub(crate) fn hatched(list: &mut List, [from, to]: [Point; 2], side: Vector, unit: f64) {
     list.polyline(Role::Secondary, Look::Line, &[from, to]);
     let length = (to - from).norm();
-    let count = (length / (STROKES * unit)).floor().clamp(1.0, MOST_STROKES);
+    let count = (length / (STROKES * unit)).floor().clamp(1.0, MAX_STROKES);
     let step = (to - from) / count;
     for i in 1..=count as usize {
         let at = from + step * i as f64;

@@ -11,7 +11,7 @@ use crate::parts;
 pub use sheet::PolygonSheet;
 
 /// Length below which vectors are drawn as points, in symbol units.
-const LEAST: f64 = 0.3;
+const MIN_LENGTH: f64 = 0.3;
 /// Length by which a direction line extends on both sides, until its end point is found, in symbol units.
 const DIRECTION: f64 = 120.0;
 /// Distance of the scale bar below the polygon, in symbol units.
@@ -97,7 +97,7 @@ impl PolygonPicture {
         for step in steps[..shown].iter().filter(|step| step.finds()) {
             for (node, at) in &step.stage.nodes {
                 // Points at rest coincide with the pole and have no name of their own.
-                if at.norm() > LEAST * unit {
+                if at.norm() > MIN_LENGTH * unit {
                     drawing.point(name(*node), *at, *at);
                 }
             }
@@ -138,7 +138,7 @@ impl Drawing {
     }
 
     fn arrow(&mut self, role: Role, [from, to]: [Vector; 2]) {
-        if (to - from).norm() > LEAST * self.unit {
+        if (to - from).norm() > MIN_LENGTH * self.unit {
             parts::arrow(&mut self.list, role, from.into(), to.into(), self.unit);
         }
     }

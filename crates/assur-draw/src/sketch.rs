@@ -15,7 +15,7 @@ const SHEET: [f64; 4] = [-6.0, -4.0, 6.0, 4.0];
 /// Free margin around the drawing, for new links, relative to the drawing's size.
 const ROOM: f64 = 0.15;
 /// Extent of all points, relative to their greatest coordinate, up to which they count as coincident.
-const LEAST: f64 = 1e-3;
+const COINCIDENT: f64 = 1e-3;
 /// Radius of a wheel that is not yet in mesh, in symbol units.
 const WHEEL: f64 = 5.0;
 
@@ -235,7 +235,7 @@ fn bounds(draft: &LinkageSpec, sheet: [f64; 4]) -> [f64; 4] {
     if !size.is_finite() {
         return sheet;
     }
-    if size <= LEAST * far || size == 0.0 {
+    if size <= COINCIDENT * far || size == 0.0 {
         let [x, y] = [low.x, low.y];
         return [sheet[0] + x, sheet[1] + y, sheet[2] + x, sheet[3] + y];
     }

@@ -7,11 +7,11 @@ use serde::Serialize;
 use crate::{Edit, checked, edited};
 
 /// Maximum number of advised edits.
-const MOST: usize = 6;
+const MAX_EDITS: usize = 6;
 /// Maximum number of edits tried after each edit of the drawing. Each trial builds a mechanism.
-const MOST_SOUGHT: usize = 48;
+const MAX_SOUGHT: usize = 48;
 /// Number of candidates above which pairs of edits are not tried: they would take longer than an animation frame.
-const MOST_TRIED: usize = 16;
+const MAX_TRIED: usize = 16;
 
 /// Advice on a drawing that does not move.
 #[derive(Clone, Debug)]
@@ -110,10 +110,10 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
     let once: Vec<Mend> = all
         .iter()
         .filter(|mend| moves(document, mend))
-        .take(MOST)
+        .take(MAX_EDITS)
         .cloned()
         .collect();
-    if !once.is_empty() || all.len() > MOST_TRIED {
+    if !once.is_empty() || all.len() > MAX_TRIED {
         return once;
     }
     let twice = |mend: &&Mend| {
@@ -138,7 +138,7 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
         .into_iter()
         .chain(drives)
         .filter(twice)
-        .take(MOST)
+        .take(MAX_EDITS)
         .cloned()
         .collect()
 }
@@ -183,5 +183,5 @@ fn tried(document: &LinkageDocument) -> Vec<Mend> {
         .iter()
         .map(|link| Mend::Remove(link.name.clone()));
     let all = drives.chain(releases).chain(fixes).chain(removes);
-    all.take(MOST_SOUGHT).collect()
+    all.take(MAX_SOUGHT).collect()
 }

@@ -11,7 +11,7 @@ use crate::edit::{Edit, End, Line};
 use crate::{dyads, names};
 
 /// Least size assumed for a drawing. Distances of new parts are proportional to the size.
-const LEAST: f64 = 1e-6;
+const MIN_SIZE: f64 = 1e-6;
 
 /// A drawing during an edit.
 #[derive(Debug)]
@@ -143,7 +143,7 @@ impl Drawing {
         };
         let size = extent(0).hypot(extent(1));
         if size.is_finite() {
-            size.max(LEAST)
+            size.max(MIN_SIZE)
         } else {
             1.0
         }

@@ -18,21 +18,21 @@ const REACHED: f64 = 1e-9;
 const STEP: f64 = 0.05;
 /// Least length of the sides of a locked angle, relative to the size. The angle between shorter sides would be
 /// lost in rounding.
-const SHORTEST: f64 = 1e-3;
+const MIN_SIDE: f64 = 1e-3;
 /// Limit of the gradient of half the squared distance from the targets, relative to the size. Below it, distances
 /// differ only by rounding, so a step is judged by the decrease of the gradient.
 const FINE: f64 = 1e-5;
 /// Regularisation of the equations of locks: dependent locks need it, and it is too small to affect others.
 const TWICE: f64 = 1e-12;
 /// Greatest correction of a step, relative to the length of the step.
-const ASIDE: f64 = 0.3;
+const MAX_CORRECTION: f64 = 0.3;
 /// Least length of a halved step, relative to the longest step.
-const LEAST_STEP: f64 = 1e-3;
+const MIN_STEP: f64 = 1e-3;
 /// Correction, relative to the size, below which rounding may keep corrections from decreasing further.
 const ROUNDS: f64 = 1e-11;
-const MOST_STEPS: usize = 600;
-const MOST_TURNS: usize = 30;
-const MOST_HALVES: usize = 30;
+const MAX_STEPS: usize = 600;
+const MAX_TURNS: usize = 30;
+const MAX_HALVES: usize = 30;
 
 /// A lock between points, by their indices.
 #[derive(Clone, Copy, Debug)]
@@ -120,7 +120,7 @@ impl Drawing {
                 [a, b, c] if apart(a, b) && apart(b, c) => {
                     let sides = [before[a] - before[b], before[c] - before[b]];
                     let shorter = sides[0].norm().min(sides[1].norm());
-                    let least = (0.5 * shorter).min(SHORTEST * size);
+                    let least = (0.5 * shorter).min(MIN_SIDE * size);
                     Lock::Angle([a, b, c], angle([a, b, c], &before), least)
                 }
                 _ => return None,
@@ -199,7 +199,7 @@ impl Held {
             .collect();
         let mut at = before.to_vec();
         let (mut gone, mut step) = (0.0, longest);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let share = (gone + step).min(1.0);
             let mut ways = vec![Vector::zeros(); at.len()];
             for (k, to) in targets {
@@ -211,7 +211,7 @@ impl Held {
                     (at, gone) = (next, share);
                     step = (2.0 * step).min(longest);
                 }
-                None if step > LEAST_STEP * longest => step *= 0.5,
+                None if step > MIN_STEP * longest => step *= 0.5,
                 None => break,
             }
             if gone >= 1.0 {
@@ -240,7 +240,7 @@ impl Held {
         };
         let square = |ways: &[Vector]| -> f64 { ways.iter().map(Vector::norm_squared).sum() };
         let mut way = downhill(&at);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let Some(ways) = way.take() else { break };
             let (steep, before) = (square(&ways), off(&at));
             let is_level = steep.sqrt() <= HOLDS * self.size;
@@ -248,7 +248,7 @@ impl Held {
                 break;
             }
             let mut share = (STEP * self.size / steep.sqrt()).min(1.0);
-            let better = (0..MOST_HALVES).find_map(|_| {
+            let better = (0..MAX_HALVES).find_map(|_| {
                 let tried: Vec<Vector> = ways.iter().map(|way| way * share).collect();
                 let tried = self.gone(&at, &tried, free);
                 let fall = 0.5 * share * steep;
@@ -293,8 +293,8 @@ impl Held {
     fn gone(&self, at: &[Vector], ways: &[Vector], free: &[bool]) -> Option<Vec<Vector>> {
         let longest = ways.iter().map(Vector::amax).fold(0.0, f64::max);
         let mut at: Vec<Vector> = at.iter().zip(ways).map(|(at, way)| at + way).collect();
-        let mut last = 2.0 * ASIDE * longest;
-        for _ in 0..MOST_TURNS {
+        let mut last = 2.0 * MAX_CORRECTION * longest;
+        for _ in 0..MAX_TURNS {
             let (off, slopes) = self.linear(&at, free)?;
             if off.amax() <= HOLDS * self.size {
                 return Some(at);

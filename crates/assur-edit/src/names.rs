@@ -4,7 +4,7 @@ use assur::mechanism::{Defect, FRAME};
 use assur_file::{LinkageDocument, LinkageProblem};
 
 /// Maximum number of characters of a link's name that is composed of the names of its points.
-const LONGEST: usize = 24;
+const MAX_COMPOSED: usize = 24;
 
 /// A free name for a point: A to Z, then A1 to Z1 and so on.
 pub(crate) fn new_point(document: &LinkageDocument) -> String {
@@ -63,7 +63,7 @@ pub(crate) fn free_point(document: &LinkageDocument, name: &str) -> String {
 
 fn of_points(points: &[String]) -> String {
     let name = points.concat();
-    if name.chars().count() <= LONGEST {
+    if name.chars().count() <= MAX_COMPOSED {
         name
     } else {
         points.iter().take(2).cloned().collect::<String>() + "…"

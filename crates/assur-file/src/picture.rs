@@ -16,7 +16,7 @@ const TYPES: [&str; 5] = [
 ];
 
 /// Maximum number of characters of an image's URL.
-const LONGEST: usize = 2_000_000;
+const MAX_URL: usize = 2_000_000;
 
 /// Greatest magnitude of a picture's coordinates and width.
 const NUMBER: f64 = 1e9;
@@ -93,8 +93,8 @@ impl PictureDocument {
         let Some(body) = bodies.next() else {
             return Some(PictureProblem::PictureType { field });
         };
-        if self.image.len() > LONGEST {
-            let max = LONGEST;
+        if self.image.len() > MAX_URL {
+            let max = MAX_URL;
             return Some(PictureProblem::PictureLong { field, max });
         }
         (!is_base64(body)).then_some(PictureProblem::PictureDamaged { field })
@@ -172,10 +172,10 @@ mod tests {
             let damaged = PictureProblem::PictureDamaged { field: field() };
             assert_eq!(image(&text), damaged, "{text}");
         }
-        let long = format!("{}{}", TYPES[1], "A".repeat(LONGEST));
+        let long = format!("{}{}", TYPES[1], "A".repeat(MAX_URL));
         let too_long = PictureProblem::PictureLong {
             field: field(),
-            max: LONGEST,
+            max: MAX_URL,
         };
         assert_eq!(image(&long), too_long);
     }

@@ -16,17 +16,17 @@ pub use left_out::LeftOut;
 pub use problem::ImportProblem;
 
 /// Maximum length of a text that is read, in bytes; the largest possible linkage is far shorter.
-const LONGEST: usize = 1 << 20;
+const MAX_BYTES: usize = 1 << 20;
 
 /// Maximum number of parts, far above that of a linkage. The time to name and join them grows faster than their number.
-const MOST_PARTS: usize = 1000;
+const MAX_PARTS: usize = 1000;
 
 /// # Errors
-/// More than [`MOST_PARTS`] parts.
+/// More than [`MAX_PARTS`] parts.
 fn bounded(parts: usize) -> Result<(), ImportProblem> {
     match parts {
-        0..=MOST_PARTS => Ok(()),
-        _ => Err(ImportProblem::ImportTooMany { max: MOST_PARTS }),
+        0..=MAX_PARTS => Ok(()),
+        _ => Err(ImportProblem::ImportTooMany { max: MAX_PARTS }),
     }
 }
 
@@ -37,12 +37,12 @@ fn number(text: &str) -> Option<f64> {
 }
 
 /// Maximum number of characters of a quoted text.
-const LONGEST_QUOTE: usize = 40;
+const MAX_QUOTE: usize = 40;
 
 /// Returns the start of an outside text for a message, without control characters and with `…` where it is cut.
 fn quoted(text: &str) -> String {
     let mut plain = text.chars().filter(|c| !c.is_control());
-    let mut quote: String = plain.by_ref().take(LONGEST_QUOTE).collect();
+    let mut quote: String = plain.by_ref().take(MAX_QUOTE).collect();
     if plain.next().is_some() {
         quote.push('…');
     }
@@ -98,8 +98,8 @@ pub fn recognised(text: &str) -> bool {
 /// # Errors
 /// A text that is none of these or is too long; the part that cannot be read.
 pub fn read(text: &str) -> Result<Imported, ImportProblem> {
-    if text.len() > LONGEST {
-        return Err(ImportProblem::ImportTooLarge { max: LONGEST });
+    if text.len() > MAX_BYTES {
+        return Err(ImportProblem::ImportTooLarge { max: MAX_BYTES });
     }
     match source(text).ok_or(ImportProblem::NotImported)? {
         Source::Pmks { host, query } => pmks::read(host, query),

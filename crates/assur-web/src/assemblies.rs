@@ -135,7 +135,7 @@ pub(crate) struct Belonging {
 /// Number of steps per turn of the input.
 const STEPS: f64 = 240.0;
 /// Minimum number of steps per arc of a branch.
-const LEAST_STEPS: f64 = 24.0;
+const MIN_STEPS: f64 = 24.0;
 
 #[wasm_bindgen]
 impl AllMotions {
@@ -213,7 +213,7 @@ impl AllMotions {
         for arc in cycle.arcs() {
             let [from, to] = *arc;
             let unit = if turns { TAU } else { to - from };
-            let steps = (STEPS * (to - from) / unit).max(LEAST_STEPS).round();
+            let steps = (STEPS * (to - from) / unit).max(MIN_STEPS).round();
             let mut last: Option<[f64; 2]> = None;
             for step in 0..=steps as usize {
                 let part = step as f64 / steps;

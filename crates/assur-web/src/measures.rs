@@ -4,18 +4,18 @@ use assur::mechanism::{Mechanism, Quantity};
 use assur_file::{Problem, View};
 
 /// Maximum number of measures of a view.
-const MOST_MEASURES: usize = 8;
+const MAX_MEASURES: usize = 8;
 
 /// Finds the quantities that a view measures.
 ///
 /// # Errors
-/// An unknown or duplicate measure; more than [`MOST_MEASURES`].
+/// An unknown or duplicate measure; more than [`MAX_MEASURES`].
 pub(crate) fn measures(view: &View, mechanism: &Mechanism) -> Result<Vec<Quantity>, Vec<Problem>> {
     let mut found = Vec::new();
     for name in &view.measures {
         let quantity = Quantity::named(mechanism, name);
         let quantity = quantity.filter(|one| one.is_measured() && !found.contains(one));
-        match quantity.filter(|_| found.len() < MOST_MEASURES) {
+        match quantity.filter(|_| found.len() < MAX_MEASURES) {
             Some(quantity) => found.push(quantity),
             None => {
                 let field = "measures".into();

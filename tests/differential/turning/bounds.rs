@@ -28,7 +28,7 @@ fn times_that_are_none_are_the_nearest_there_is() {
         assert_eq!(turning.at(before), turning.at(0.0));
     }
     for beyond in [2e6, f64::INFINITY] {
-        assert_eq!(turning.at(beyond), turning.at(Turning::LONGEST));
+        assert_eq!(turning.at(beyond), turning.at(Turning::MAX_TIME));
     }
 }
 

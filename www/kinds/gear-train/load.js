@@ -16,7 +16,7 @@ import { edited, withView } from "assur/state/state.js";
 const ENERGIES = Object.freeze(["driven", "delivered", "dissipated", "kinetic", "potential", "imbalance"]);
 
 /** Longest run under load, in seconds. */
-const LONGEST_RUN = 30;
+const MAX_RUN = 30;
 
 export class LoadView {
   #page;
@@ -80,7 +80,7 @@ export class LoadView {
   #load(loaded) {
     this.#page.history.step(() => {
       this.#page.store.update((state) => {
-        const next = edited(state, "gear-train", ({ span_s: span = 6 }) => ({ loaded, span_s: loaded ? Math.min(span, LONGEST_RUN) : span }));
+        const next = edited(state, "gear-train", ({ span_s: span = 6 }) => ({ loaded, span_s: loaded ? Math.min(span, MAX_RUN) : span }));
         return withView(next, { t: 0, plot: loaded ? "load" : "angles" });
       });
     });

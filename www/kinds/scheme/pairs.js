@@ -15,7 +15,7 @@ import { edited } from "assur/state/state.js";
  */
 
 /** Limit of the number of pairs in a drawing. */
-const MOST = 60;
+const MAX_PAIRS = 60;
 
 /** @type {readonly Pair["kind"][]} */
 const FORMS = Object.freeze([
@@ -41,7 +41,7 @@ export class PairsView {
   constructor(page) {
     this.#page = page;
     this.#list = new CardList({
-      kind: "scheme", name: "pairs", first: 1, least: 1, most: MOST, written: String,
+      kind: "scheme", name: "pairs", first: 1, least: 1, most: MAX_PAIRS, written: String,
       words: { add: "pairs.add", remove: "pairs.remove" },
       build: (index, _, drafts, remove) => this.#card(index, drafts, remove),
       another: ({ state: { document } }) => another(document),

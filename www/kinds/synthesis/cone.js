@@ -10,7 +10,7 @@ const FARTHER = 0.22;
 const SIZE = 1.5;
 
 /** Angle between two directions, in radians, below which their names would overlap. */
-const NEAR = 0.2;
+const MIN_ANGLE = 0.2;
 
 /**
  * @param {readonly [number, number, number, number]} turns angles of frame, coupler, output link and driver, in radians
@@ -23,7 +23,7 @@ export function cone(turns, label) {
   for (const [k, turn] of turns.entries()) {
     const [name, role] = LOOKS[k];
     const [x, y] = at(turn, 1);
-    const before = turns.slice(0, k).filter((other) => Math.abs(Math.sin((turn - other) / 2)) < NEAR / 2).length;
+    const before = turns.slice(0, k).filter((other) => Math.abs(Math.sin((turn - other) / 2)) < MIN_ANGLE / 2).length;
     const [nameX, nameY] = at(turn, NAME + before * FARTHER);
     const line = makeSvg("line", { x1: 0, y1: 0, x2: x, y2: y });
     const text = makeSvg("text", { x: nameX, y: nameY }, [name]);

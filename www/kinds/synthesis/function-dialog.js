@@ -7,7 +7,7 @@ import { byId, make } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { Refusal, attempt } from "assur/core/problem.js";
 import { formula } from "assur/kinds/synthesis/function.js";
-import { MOST } from "assur/kinds/synthesis/positions.js";
+import { MAX_POSITIONS } from "assur/kinds/synthesis/positions.js";
 import { take } from "assur/state/change.js";
 import { alone, edited } from "assur/state/state.js";
 
@@ -106,8 +106,8 @@ function makeForm(document, words) {
     const cells = boxes.map((one, k) => make("span", { class: "function-end" }, [named(`${one.id}-name`, k === 0 ? "function.from" : "function.to"), " ", one]));
     return { part, boxes, row: [named(`function-${part}-name`, `field.function.${part}`), make("div", {}, cells)] };
   });
-  const counts = Array.from({ length: MOST - 1 }, (_, k) => String(k + 2)).map((n) => /** @type {[string, string]} */ ([n, n]));
-  const count = select("function-count", counts, String(document.function ? Math.min(document.positions.length, MOST) : COUNT));
+  const counts = Array.from({ length: MAX_POSITIONS - 1 }, (_, k) => String(k + 2)).map((n) => /** @type {[string, string]} */ ([n, n]));
+  const count = select("function-count", counts, String(document.function ? Math.min(document.positions.length, MAX_POSITIONS) : COUNT));
   const spacing = select("function-spacing", [["roots", words.text("function.roots")], ["even", words.text("function.even")]], "roots");
   const pasted = [named("function-rows-name", "function.rows"), make("div", {}, [rows])];
   const fit = () => {

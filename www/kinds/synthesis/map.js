@@ -17,7 +17,7 @@ export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: s
 }));
 
 /** Greatest distance of the pointer from the point of the curve that it picks, in pixels. */
-const REACH = 24;
+const PICK_DISTANCE = 24;
 
 export class FamilyMap {
   #plane;
@@ -64,7 +64,7 @@ export class FamilyMap {
   #member({ offsetX, offsetY }) {
     const curve = this.#snapshot?.summary.family?.curve;
     if (!curve) return null;
-    let [nearest, least] = [/** @type {[number, number] | null} */ (null), this.#held ? Infinity : REACH];
+    let [nearest, least] = [/** @type {[number, number] | null} */ (null), this.#held ? Infinity : PICK_DISTANCE];
     for (let i = 0; i < curve.l2.length; i++) {
       const [x, y] = this.#plane.at([curve.l2[i], curve.l3[i]]);
       const off = Math.hypot(x - offsetX, y - offsetY);

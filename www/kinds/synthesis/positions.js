@@ -17,7 +17,7 @@ import { edited } from "assur/state/state.js";
  */
 
 /** Limit of the number of positions on the page. The engine accepts more, but a drawing could not show them apart. */
-export const MOST = 12;
+export const MAX_POSITIONS = 12;
 
 /** Step of the input from the last position, in degrees, repeated until the linkage can reach a new position. */
 const NEXT = 30;
@@ -41,7 +41,7 @@ const PARTS_OF_DEGREE = 10;
 
 /** @type {Omit<import("assur/controls/card-list.js").ListKind<"synthesis", Position>, "another">} */
 const POSITIONS = Object.freeze({
-  kind: "synthesis", name: "positions", first: 1, least: 2, most: MOST, written: String,
+  kind: "synthesis", name: "positions", first: 1, least: 2, most: MAX_POSITIONS, written: String,
   words: { add: "positions.add", remove: "positions.remove" }, build: card,
 });
 

@@ -7,15 +7,15 @@ use crate::Failure;
 use crate::words::short;
 
 /// Maximum number of rows.
-const MOST_ROWS: f64 = 1e7;
+const MAX_ROWS: f64 = 1e7;
 /// Default number of steps over the range of a driven slide.
 const STEPS: f64 = 360.0;
 /// Greatest angle accepted from the command line, degrees. Beyond it, too few digits remain for fractions of a turn.
-const GREATEST_ANGLE: f64 = 1e9;
+const MAX_ANGLE: f64 = 1e9;
 /// Greatest length accepted from the command line.
-const GREATEST_LENGTH: f64 = 1e30;
+const MAX_LENGTH: f64 = 1e30;
 /// Greatest speed or acceleration accepted from the command line.
-const GREATEST_RATE: f64 = 1e9;
+const MAX_RATE: f64 = 1e9;
 
 /// Returns the unit of inputs in tables, expressed in the engine's unit: a degree in radians, or 1 for lengths.
 fn unit(turns: bool) -> f64 {
@@ -27,11 +27,7 @@ fn unit(turns: bool) -> f64 {
 /// # Errors
 /// The value is not a number, or is too large.
 pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Failure> {
-    let greatest = if turns {
-        GREATEST_ANGLE
-    } else {
-        GREATEST_LENGTH
-    };
+    let greatest = if turns { MAX_ANGLE } else { MAX_LENGTH };
     Ok(At::counted(within(option, value, greatest)?, unit(turns)))
 }
 
@@ -63,9 +59,9 @@ pub(super) fn inputs(
             "--step {step}: a step is a number greater than zero"
         ));
     }
-    if whole / step > MOST_ROWS {
+    if whole / step > MAX_ROWS {
         return refuse(format!(
-            "--step {}: that makes more than {MOST_ROWS} rows",
+            "--step {}: that makes more than {MAX_ROWS} rows",
             short(step)
         ));
     }
@@ -130,7 +126,7 @@ fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
 /// # Errors
 /// The value is not a number, or is too large.
 pub(super) fn rate(option: &str, value: f64) -> Result<f64, Failure> {
-    within(option, value, GREATEST_RATE)
+    within(option, value, MAX_RATE)
 }
 
 fn within(option: &str, value: f64, greatest: f64) -> Result<f64, Failure> {

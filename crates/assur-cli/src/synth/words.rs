@@ -30,7 +30,7 @@ pub(super) fn task_error(error: &TaskError) -> String {
         TaskError::TooMany { count } => {
             format!(
                 "{count} positions are too many: no more than {} are accepted",
-                Task::MOST
+                Task::MAX_POSITIONS
             )
         }
         TaskError::Output(k) => format!("{}: PHI2 is not a finite number", position(k)),

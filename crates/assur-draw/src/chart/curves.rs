@@ -11,7 +11,7 @@ const TURN: usize = 720;
 /// Minimum number of samples per turn. A plot of many turns cannot show more detail.
 const COARSEST_TURN: usize = 60;
 /// Maximum number of sampled values, of all quantities together.
-const MOST_VALUES: usize = 1 << 18;
+const MAX_VALUES: usize = 1 << 18;
 /// Approximate number of difference quotients shown in a run, if there are few runs.
 const DIFFERENCES: usize = 72;
 /// Number of runs beyond which the total number of difference quotients no longer grows.
@@ -153,7 +153,7 @@ pub(crate) fn sampling(quantities: usize) -> Sampling {
     Sampling {
         turn: TURN,
         coarsest: COARSEST_TURN,
-        most: MOST_VALUES / quantities.max(1),
+        most: MAX_VALUES / quantities.max(1),
         spacing: Spacing::Crowded,
         shown: Shown::Spread,
     }

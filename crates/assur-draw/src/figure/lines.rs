@@ -13,11 +13,11 @@ use super::{Figure, View, bounds};
 use crate::list::{List, Look, Role};
 
 /// Greatest distance from the middle of the drawing at which lines are drawn, relative to the drawing's size.
-const REACH: f64 = 4.0;
+const MAX_DISTANCE: f64 = 4.0;
 /// Length by which a line extends beyond the centres that define it, in symbol units.
 const BEYOND: f64 = 6.0;
 /// Maximum number of bodies for which all centres are named. With more bodies, only centres relative to the frame are.
-const MOST_NAMED: usize = 12;
+const MAX_NAMED: usize = 12;
 
 /// Choice of lines.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,7 +77,7 @@ impl Drawn {
         if lines.centres {
             for first in mechanism.bodies() {
                 for second in mechanism.bodies() {
-                    let named = first < second && (bodies <= MOST_NAMED || first == BodyId::FRAME);
+                    let named = first < second && (bodies <= MAX_NAMED || first == BodyId::FRAME);
                     let name = |bodies| names.add(centre_name(mechanism, view, bodies));
                     drawn.names.push(named.then_some([first, second]).map(name));
                 }
@@ -101,7 +101,7 @@ impl Drawn {
     }
 
     fn is_near(&self, place: Point) -> bool {
-        (place - self.middle).norm() < REACH * self.size
+        (place - self.middle).norm() < MAX_DISTANCE * self.size
     }
 
     /// Draws the curves that are fixed to the frame or to the link: evolutes and centrodes.
@@ -230,7 +230,7 @@ impl Drawn {
         let Some(along) = way.or(farthest).and_then(|way| way.try_normalize(0.0)) else {
             return;
         };
-        let reach = REACH * self.size;
+        let reach = MAX_DISTANCE * self.size;
         let at = |place: &Point| (place - base).dot(&along).clamp(-reach, reach);
         let ends = places.iter().map(at);
         let [low, high] = ends.fold([0.0_f64; 2], |[low, high], at| [low.min(at), high.max(at)]);
@@ -247,7 +247,10 @@ impl Drawn {
             .and_then(|link| Circles::of(mechanism, pose, mechanism.body_of(Some(link))));
         if let Some(circles) = circles {
             let (centre, radius) = circles.inflection();
-            if self.is_near(circles.pole) && radius < REACH * self.size && radius > 0.1 * unit {
+            if self.is_near(circles.pole)
+                && radius < MAX_DISTANCE * self.size
+                && radius > 0.1 * unit
+            {
                 list.circle(Role::Accent2, Look::Thin, centre, radius);
                 self.mark(list, circles.pole, pole_name, unit);
                 self.mark(list, circles.pole + circles.diameter, inflection_pole, unit);
@@ -260,14 +263,14 @@ impl Drawn {
             };
             let radius = bend.curvature.recip().abs();
             if let Some(centre) = bend.centre
-                && radius < REACH * self.size
+                && radius < MAX_DISTANCE * self.size
             {
                 list.circle(Role::Accent1, Look::Thin, centre, radius);
                 list.polyline(Role::Accent1, Look::Thin, &[centre, bend.at]);
                 self.mark(list, centre, centre_name, unit);
             } else {
                 // An arc too flat to differ from a straight line is drawn as its tangent.
-                let along: Vector = bend.tangent * (REACH * self.size);
+                let along: Vector = bend.tangent * (MAX_DISTANCE * self.size);
                 list.polyline(
                     Role::Accent1,
                     Look::Thin,

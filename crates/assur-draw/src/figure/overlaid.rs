@@ -25,7 +25,7 @@ const SAMPLING: Sampling = Sampling {
     shown: Shown::Spread,
 };
 /// Maximum number of points with vectors for which the tips of the vectors are named.
-const MOST_NAMED: usize = 3;
+const MAX_NAMED: usize = 3;
 
 /// Greatest radius of the arc of the input, in symbol units.
 const LARGEST: f64 = 10.0;
@@ -124,7 +124,7 @@ impl Overlaid {
                 asked && layout.is_drawn(*point) && layout.moves(*point)
             });
             let moving: Vec<PointId> = moving.collect();
-            let legible = moving.len() <= MOST_NAMED;
+            let legible = moving.len() <= MAX_NAMED;
             let tips = |point: PointId| {
                 let name = names.of(point).to_owned();
                 let tips = ["′", "″"].map(|strokes| names.add(format!("{name}{strokes}")));

@@ -15,10 +15,10 @@ const TURN: usize = 432;
 /// Number of poses of an oscillating motion, per turn or per shorter arc.
 const SWING: usize = 360;
 /// Minimum number of points on an arc.
-const LEAST: f64 = 90.0;
+const MIN_POINTS: f64 = 90.0;
 /// Maximum number of computed body positions, over all poses. Paths over many turns cover each other: they are sampled
 /// more coarsely and, if that is not enough, only the first turns are drawn.
-const MOST_PLACED: usize = 150_000;
+const MAX_PLACED: usize = 150_000;
 /// Overhead of a pose, expressed as a number of bodies.
 const OF_A_POSE: usize = 8;
 /// Minimum number of poses per turn.
@@ -68,7 +68,7 @@ pub(super) fn sampled(motion: &Motion) -> Vec<Run> {
     let sampling = Sampling {
         turn: if cycle.is_full() { TURN } else { SWING },
         coarsest: COARSEST_TURN,
-        most: MOST_PLACED / (motion.mechanism().links().len() + OF_A_POSE),
+        most: MAX_PLACED / (motion.mechanism().links().len() + OF_A_POSE),
         spacing: Spacing::Crowded,
         shown: Shown::First,
     };
@@ -110,7 +110,7 @@ pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointI
         }
         // Difference between the angle of the arm and that of the link.
         let lead = arm.y.atan2(arm.x) - mechanism.angle(pose, link).value();
-        let count = (TURN as f64 * (high - low) / TAU).ceil().max(LEAST);
+        let count = (TURN as f64 * (high - low) / TAU).ceil().max(MIN_POINTS);
         let place = |i: usize| {
             let (sin, cos) = (lead + low + (high - low) * i as f64 / count).sin_cos();
             centre + Vector::new(cos, sin) * arm.norm()

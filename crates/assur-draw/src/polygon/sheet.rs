@@ -13,7 +13,7 @@ const POSES: Sampling = Sampling {
     shown: Shown::Spread,
 };
 /// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion without dead points.
-const MOST: f64 = 10.0;
+const MAX_SIZE: f64 = 10.0;
 /// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion with dead points, near
 /// which vectors grow without bound.
 const MOST_OF_DEAD: f64 = 3.0;
@@ -47,7 +47,7 @@ impl PolygonSheet {
         }
         let mut ends = motion.dead_points().iter();
         let dead = ends.any(|end| end.kind.is_dead_point());
-        Self::of(found, if dead { MOST_OF_DEAD } else { MOST })
+        Self::of(found, if dead { MOST_OF_DEAD } else { MAX_SIZE })
     }
 
     /// Makes the sheet from the rectangles around polygons, without those over `most` times as large as the median.
@@ -203,7 +203,7 @@ mod tests {
     fn nothing_has_a_sheet() {
         for found in [Vec::new(), vec![[0.0; 4]]] {
             assert_eq!(
-                PolygonSheet::of(found, MOST),
+                PolygonSheet::of(found, MAX_SIZE),
                 PolygonSheet([-1.0, -1.0, 1.0, 1.0])
             );
         }

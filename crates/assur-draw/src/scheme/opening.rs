@@ -8,7 +8,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 /// Gap between the halves of a cut pair, relative to the size of the drawing.
 const GAP: f64 = 0.09;
 /// Greatest rotation in a pair to open a gap, radians.
-const MOST: f64 = 0.45;
+const MAX_ROTATION: f64 = 0.45;
 
 /// Translation in a pair that counts as much as a turn of one radian, relative to the size of the drawing.
 const LEVER: f64 = 0.3;
@@ -119,7 +119,7 @@ impl<'a> Chain<'a> {
         if whole < 1e-9 * self.size {
             return;
         }
-        let by = (GAP * self.size / whole).min(MOST);
+        let by = (GAP * self.size / whole).min(MAX_ROTATION);
         for (pair, along, small) in ways {
             let by = share * by * along.signum();
             moved[pair] = small.displacement(self.places[pair], by) * moved[pair];

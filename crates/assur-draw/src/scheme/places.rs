@@ -6,7 +6,7 @@ use assur::mobility::{Pair, Point3, Scheme, Vector3};
 use crate::parts;
 
 /// Distance of a pair without a given position from the mean of the other pairs of its links, relative to the drawing.
-const ASIDE: f64 = 0.15;
+const OFFSET: f64 = 0.15;
 
 /// Returns the positions of pairs. A pair without a given position is placed beside the other pairs
 /// of its links; if no position is given, all pairs are placed in turn on a circle.
@@ -31,7 +31,7 @@ pub(super) fn placed(scheme: &Scheme) -> Vec<Point3> {
         let joined: Vec<Point3> = joined.filter_map(|other| other.place).collect();
         let near = if joined.is_empty() { &all } else { &joined };
         let aside = index as f64;
-        let aside = Vector3::new(aside.cos(), aside.sin(), 0.0) * (ASIDE * size);
+        let aside = Vector3::new(aside.cos(), aside.sin(), 0.0) * (OFFSET * size);
         Point3::from(mean(near) + aside)
     };
     let pairs = pairs.iter().enumerate();

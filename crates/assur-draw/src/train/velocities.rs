@@ -10,7 +10,7 @@ use super::arrows::arrow;
 use crate::list::{List, Look, Role};
 
 /// Greatest length of an arrow, in units of the drawing.
-const LONGEST: f64 = 20.0;
+const MAX_LENGTH: f64 = 20.0;
 
 /// Draws the triangle up to the distance `reach` from the main axis. The x-axis is the line from the main axis through
 /// the satellite. Arrows are scaled to the available room: their lengths show only ratios of velocities.
@@ -27,9 +27,9 @@ pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f
         return;
     }
     let room = |radius: f64| (reach * reach - radius * radius).sqrt();
-    let longest = shown
-        .clone()
-        .fold(LONGEST * unit, |least, place| least.min(room(place.radius)));
+    let longest = shown.clone().fold(MAX_LENGTH * unit, |least, place| {
+        least.min(room(place.radius))
+    });
     let scale = longest / fastest;
     let centre = velocities.instantaneous_centre.filter(within);
     let on_line = |radius: f64| Point::new(radius, 0.0);

@@ -22,16 +22,16 @@ use crate::problem::Problems;
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
 /// Maximum number of characters of a title or source.
-const LONGEST_TEXT: usize = 400;
+const MAX_TEXT: usize = 400;
 
 /// Shortest and longest time span that may be plotted, seconds.
 const SPANS: [f64; 2] = [0.5, 60.0];
 
 /// Longest run under load, seconds.
-const LONGEST_RUN: f64 = 30.0;
+const MAX_RUN: f64 = 30.0;
 
 /// Maximum number of knots of a load.
-const MOST_KNOTS: usize = 100;
+const MAX_KNOTS: usize = 100;
 
 /// A train of sun 1, satellites 2, carrier 3 and ring 4.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -286,9 +286,9 @@ impl GearTrainDocument {
     /// Checks the fields that the engine does not check.
     fn check(&self) -> Vec<Problem> {
         let mut problems = Problems::default();
-        problems.text("title", self.title.as_ref(), LONGEST_TEXT);
-        problems.text("source", self.source.as_ref(), LONGEST_TEXT);
-        let longest = if self.loaded { LONGEST_RUN } else { SPANS[1] };
+        problems.text("title", self.title.as_ref(), MAX_TEXT);
+        problems.text("source", self.source.as_ref(), MAX_TEXT);
+        let longest = if self.loaded { MAX_RUN } else { SPANS[1] };
         problems.range("span_s", self.span_s, [SPANS[0], longest]);
         for (k, drive) in self.drives.iter().enumerate() {
             // Fields that are not in use must be within limits, too. The engine checks the fields in use.
@@ -296,14 +296,14 @@ impl GearTrainDocument {
             match drive.to {
                 Some(_) => {
                     problems.range(format!("drives[{k}].rpm"), drive.rpm, most);
-                    let start = [0.0, Turning::LONGEST_RISE];
+                    let start = [0.0, Turning::MAX_RISE];
                     problems.range(format!("drives[{k}].start_s"), drive.start_s, start);
                 }
                 None => problems.range(format!("drives[{k}].factor"), drive.factor, most),
             }
         }
-        if self.load.len() > MOST_KNOTS {
-            let (path, max) = ("load".to_owned(), MOST_KNOTS);
+        if self.load.len() > MAX_KNOTS {
+            let (path, max) = ("load".to_owned(), MAX_KNOTS);
             problems.add(LinkageProblem::TooMany { path, max });
         }
         problems.0

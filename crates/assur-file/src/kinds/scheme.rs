@@ -9,12 +9,12 @@ use crate::problem::{Problems, is_plain};
 use crate::{LinkageDocument, LinkageProblem, Problem};
 
 /// Maximum number of pairs: more could not be distinguished in a drawing.
-const MOST_PAIRS: usize = 300;
+const MAX_PAIRS: usize = 300;
 
 /// Maximum number of characters of the name of a pair or link.
-const LONGEST_NAME: usize = 20;
+const MAX_NAME: usize = 20;
 /// Maximum number of characters of a title or source.
-const LONGEST_TEXT: usize = 400;
+const MAX_TEXT: usize = 400;
 
 /// A scheme of links and pairs, and the list of cut pairs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -278,17 +278,17 @@ impl SchemeDocument {
     /// Checks the fields that the engine does not check.
     fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
-        if self.pairs.len() > MOST_PAIRS {
-            let (path, max) = ("pairs".to_owned(), MOST_PAIRS);
+        if self.pairs.len() > MAX_PAIRS {
+            let (path, max) = ("pairs".to_owned(), MAX_PAIRS);
             problems.add(LinkageProblem::TooMany { path, max });
         }
-        problems.text("title", self.title.as_ref(), LONGEST_TEXT);
-        problems.text("source", self.source.as_ref(), LONGEST_TEXT);
+        problems.text("title", self.title.as_ref(), MAX_TEXT);
+        problems.text("source", self.source.as_ref(), MAX_TEXT);
         for (index, pair) in self.pairs.iter().enumerate() {
             let mut names = pair.links.iter().chain([&pair.name]);
             // In `cut`, a colon separates the name of a hinge from that of the detached link.
-            if !names.all(|name| is_plain(name, LONGEST_NAME) && !name.contains([':', ','])) {
-                let (path, max) = (format!("pairs[{index}]"), LONGEST_NAME);
+            if !names.all(|name| is_plain(name, MAX_NAME) && !name.contains([':', ','])) {
+                let (path, max) = (format!("pairs[{index}]"), MAX_NAME);
                 problems.add(LinkageProblem::BadName { path, max });
             }
         }

@@ -191,7 +191,7 @@ impl SynthesisDocument {
                 SynthesisProblem::TooFewPositions { least: 2, count: 0 }.into()
             }
             TaskError::TooMany { count } => SynthesisProblem::TooManyPositions {
-                most: Task::MOST,
+                most: Task::MAX_POSITIONS,
                 count,
             }
             .into(),

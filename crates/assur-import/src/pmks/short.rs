@@ -12,7 +12,7 @@ const DIGITS: &[u8; 64] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnop
 const CHECKS: usize = 62;
 
 /// Maximum number of digits of a number: more could not be represented exactly.
-const MOST_DIGITS: usize = 8;
+const MAX_DIGITS: usize = 8;
 
 /// Number of sections before the joints: boolean, decimal, integer and enumerated settings.
 const SETTINGS: usize = 4;
@@ -76,7 +76,7 @@ fn number(text: &str) -> Result<i64, ImportProblem> {
         Some(rest) => (-1, rest),
         None => (1, text),
     };
-    if text.is_empty() || digits.len() > MOST_DIGITS {
+    if text.is_empty() || digits.len() > MAX_DIGITS {
         return Err(broken());
     }
     let mut values = digits.bytes().map(digit);

@@ -9,7 +9,7 @@ use super::{Body, Driver, FRAME, Moves, Sketch, Slide, rates};
 use crate::{ImportProblem, Imported, LeftOut};
 
 /// Maximum number of drawn paths.
-const MOST_TRACES: usize = 32;
+const MAX_TRACES: usize = 32;
 
 /// Makes the linkage, and lists the parts that could not be imported unchanged.
 ///
@@ -32,7 +32,7 @@ pub(super) fn imported(mut sketch: Sketch) -> Result<Imported, ImportProblem> {
         traces: named.joints(|joint| sketch.joints[joint].traced && !sketch.joints[joint].fixed),
         ..LinkageDocument::default()
     };
-    document.traces.truncate(MOST_TRACES);
+    document.traces.truncate(MAX_TRACES);
     if document.links.is_empty() {
         return Err(ImportProblem::NothingImported);
     }

@@ -1,7 +1,7 @@
 //! Names that are valid for a linkage.
 
 /// Maximum number of characters of a name.
-const LONGEST: usize = 40;
+const MAX_NAME: usize = 40;
 
 /// Names already in use.
 #[derive(Default)]
@@ -21,11 +21,11 @@ impl Names {
             plain = letter(number);
         }
         let cut = |room: usize| plain.chars().take(room).collect::<String>();
-        let mut name = cut(LONGEST);
+        let mut name = cut(MAX_NAME);
         let mut again = 2;
         while self.0.contains(&name) {
             let end = format!(" {again}");
-            name = cut(LONGEST - end.len()) + &end;
+            name = cut(MAX_NAME - end.len()) + &end;
             again += 1;
         }
         self.0.push(name.clone());

@@ -4,7 +4,7 @@ use super::{Driver, Moves};
 use crate::LeftOut;
 
 /// Maximum number of turns of the first crank before all cranks are back at their start (docs/file-format.md).
-const MOST_TURNS: u32 = 24;
+const MAX_TURNS: u32 = 24;
 
 /// Speed, as a fraction of the fastest driver's, below which a driver counts as at rest.
 const STILL: f64 = 1e-9;
@@ -35,8 +35,8 @@ pub(super) fn of(
         offs.fold(0.0, f64::max)
     };
     // `least` is the error of the best approximation, `round` the smallest number of turns that attains it.
-    let least = (1..=MOST_TURNS).map(off).fold(f64::INFINITY, f64::min);
-    let round = (1..=MOST_TURNS)
+    let least = (1..=MAX_TURNS).map(off).fold(f64::INFINITY, f64::min);
+    let round = (1..=MAX_TURNS)
         .find(|turns| off(*turns) <= least + 1e-12)
         .unwrap_or(1);
     let rated = drivers.into_iter().zip(wished).enumerate();

@@ -24,7 +24,7 @@ use summary::SynthesisSummary;
 
 /// Distance of an angle's handle from the pivot of its link: the greater of these fractions of the frame and of the
 /// link. The handle is then clear of the link's joint.
-const REACH: [f64; 2] = [0.62, 1.25];
+const HANDLE_DISTANCE: [f64; 2] = [0.62, 1.25];
 
 /// Distance of a coupler's handle from the coupler's joint with the input: the greater of these fractions of the frame
 /// and of the coupler. The handle is then clear of both ends.
@@ -74,7 +74,8 @@ impl Direction {
             input,
             coupler,
         } = solved.shown.proportions;
-        let [far_output, far_input] = [output, input].map(|z| REACH[0].max(REACH[1] * z));
+        let [far_output, far_input] =
+            [output, input].map(|z| HANDLE_DISTANCE[0].max(HANDLE_DISTANCE[1] * z));
         let far_coupler = REACH_OF_COUPLER[0].max(REACH_OF_COUPLER[1] * coupler);
         let positions = solved.task.positions().iter().zip(&document.positions);
         positions

@@ -17,13 +17,13 @@ pub struct Recording {
 
 impl Recording {
     /// Maximum duration, seconds.
-    pub const LONGEST: f64 = 3600.0;
+    pub const MAX_DURATION: f64 = 3600.0;
 
-    /// Records a run from its current state for this time, at most [`Self::LONGEST`] seconds, or until the run halts.
+    /// Records a run from its current state for this time, at most [`Self::MAX_DURATION`] seconds, or until the run halts.
     pub fn new(start: Run, seconds: f64) -> Self {
         let mut run = start.clone();
         // NaN becomes 0.
-        let seconds = seconds.clamp(0.0, Self::LONGEST).max(0.0);
+        let seconds = seconds.clamp(0.0, Self::MAX_DURATION).max(0.0);
         let count = (seconds * f64::from(TICKS_PER_SECOND) / f64::from(APART)) as usize;
         let mut states = Vec::with_capacity(count + 1);
         states.push(run.state);

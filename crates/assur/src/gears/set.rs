@@ -14,7 +14,7 @@ pub struct Mate {
     pub centre_line: f64,
 }
 
-/// A driver and 1 to [`GearSet::MOST`] driven wheels, each a pair with the driver, of the same module and kind of mesh.
+/// A driver and 1 to [`GearSet::MAX_WHEELS`] driven wheels, each a pair with the driver, of the same module and kind of mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,
@@ -23,7 +23,7 @@ pub struct GearSet {
 
 impl GearSet {
     /// Maximum number of driven wheels.
-    pub const MOST: usize = 6;
+    pub const MAX_WHEELS: usize = 6;
 
     /// Makes a set from numbers entered by a person: teeth of the driver (z₄), driven wheels, kind of mesh, and module.
     ///
@@ -34,18 +34,18 @@ impl GearSet {
     /// mesh with some wheels smaller than the driver and others larger.
     pub fn new(driver: f64, mates: &[Mate], mesh: Mesh, module: f64) -> Result<Self, Vec<Invalid>> {
         let mut reasons = Vec::new();
-        if !(1..=Self::MOST).contains(&mates.len()) {
+        if !(1..=Self::MAX_WHEELS).contains(&mates.len()) {
             reasons.push(Invalid {
                 dimension: Dimension::Wheels,
                 fault: Fault::OutOfRange {
                     value: mates.len() as f64,
                     min: 1.0,
-                    max: Self::MOST as f64,
+                    max: Self::MAX_WHEELS as f64,
                 },
             });
         }
         let mut pairs: Vec<GearPair> = Vec::new();
-        for (wheel, mate) in mates.iter().enumerate().take(Self::MOST) {
+        for (wheel, mate) in mates.iter().enumerate().take(Self::MAX_WHEELS) {
             match GearPair::new([driver, mate.teeth], mesh, module, mate.centre_line) {
                 Ok(pair) => {
                     let first = pairs.first().unwrap_or(&pair);

@@ -46,7 +46,7 @@ const LENGTHS: [f64; 2] = [0.05, 2.0];
 /// Maximum change of a corner, radians.
 const OPENED: f64 = 0.5;
 /// Maximum change of an offset or of the coordinate of a hinge, relative to the size of the linkage.
-const ASIDE: f64 = 0.1;
+const MAX_SHIFT: f64 = 0.1;
 
 impl Mechanism {
     /// All dimensions, in the order of the specification. The length, sides and corners of each link are followed by
@@ -139,7 +139,9 @@ impl Mechanism {
             }
             Dimension::Length(_) | Dimension::Side(..) => LENGTHS.map(|times| times * value),
             Dimension::Corner(..) => around(OPENED),
-            Dimension::Offset(_) | Dimension::X(_) | Dimension::Y(_) => around(ASIDE * self.size()),
+            Dimension::Offset(_) | Dimension::X(_) | Dimension::Y(_) => {
+                around(MAX_SHIFT * self.size())
+            }
         })
     }
 

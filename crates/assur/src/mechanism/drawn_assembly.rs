@@ -17,7 +17,7 @@ use crate::{Point, tolerance};
 const MISDRAWN: f64 = 0.3;
 /// Number of inputs tried on each side of a rounded input, which may be just beyond a dead point. Their distances from
 /// the rounded input are 0, 1, 3, 7, … times its rounding unit.
-const BACK: u32 = 24;
+const TRIES: u32 = 24;
 /// Maximum deviation, in radians, of a wheel from its drawn angle that counts as rounding. A whole turn of the driving
 /// body shifts a wheel by more, unless the wheel has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
@@ -195,7 +195,7 @@ impl Mechanism {
     pub(crate) fn rebase_turns(&mut self, drawn_input: f64) -> bool {
         // The new input is rounded again. At a dead point, rounding may move the input just beyond this point.
         let unit = f64::EPSILON * drawn_input.abs().max(self.span());
-        let aside = (0..BACK).flat_map(|doubled| {
+        let aside = (0..TRIES).flat_map(|doubled| {
             let off = unit * f64::from((1_u32 << doubled) - 1);
             [off, -off]
         });

@@ -6,7 +6,7 @@ use crate::mechanism::{AssemblySigns, Mechanism};
 use crate::position::Predictor;
 
 /// Maximum numbers of assemblies, and of steps solved to find them, in the numbering of older files.
-const MOST: [usize; 2] = [256, (1 << 14) - 1];
+const LIMITS: [usize; 2] = [256, (1 << 14) - 1];
 
 /// Assemblies at the drawn input from which a motion can start, in the order of the signs of their dyads. Groups of
 /// higher class stay in their drawn assembly. The search stops at 256 assemblies or 16,383 solved steps; the drawn
@@ -41,7 +41,7 @@ impl SignedAssemblies<'_> {
 impl Mechanism {
     /// Assemblies at the drawn input, numbered by their signs. Each call searches anew, for up to a few milliseconds.
     pub fn signed_assemblies(&self) -> SignedAssemblies<'_> {
-        let mut all = self.layout.found_by_signs(&self.drawn, MOST);
+        let mut all = self.layout.found_by_signs(&self.drawn, LIMITS);
         // The search may have stopped before the drawn assembly.
         if !all.contains(&self.drawn.signs) {
             all.push(self.drawn.signs.clone());

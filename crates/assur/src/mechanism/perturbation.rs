@@ -54,7 +54,7 @@ pub(crate) enum NoNeighbour {
 }
 
 /// Maximum turn of a body between neighbours, radians; also its maximum displacement, in sizes of the linkage.
-const NEAR: f64 = 0.2;
+const MAX_CHANGE: f64 = 0.2;
 /// Maximum ratio of the second Newton correction to the first. Up to this ratio Newton's method converges to the
 /// continuation of the last solution: P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, section 5.1.
 const CONTRACTION: f64 = 0.125;
@@ -245,7 +245,7 @@ impl Layout {
 
     /// Step whose links moved too far for a neighbour; None if no links did.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
-        let moved = self.moved(before, state, NEAR);
+        let moved = self.moved(before, state, MAX_CHANGE);
         if let Some(body) = moved {
             debug_assert!(self.placed_by[body].is_some(), "the frame does not move");
             return self.placed_by[body];

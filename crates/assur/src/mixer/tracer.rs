@@ -30,23 +30,23 @@ pub struct Tracer {
 
 impl Tracer {
     /// Maximum number of traced points.
-    pub const MOST: usize = 6;
+    pub const MAX_COUNT: usize = 6;
 }
 
 /// Checks that traced points have valid coordinates and are on bodies of a mixer with `wheels` peripheral wheels.
 pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid>> {
     let mut reasons = Vec::new();
-    if tracers.len() > Tracer::MOST {
+    if tracers.len() > Tracer::MAX_COUNT {
         reasons.push(Invalid {
             dimension: Dimension::Tracers,
             fault: Fault::OutOfRange {
                 value: tracers.len() as f64,
                 min: 0.0,
-                max: Tracer::MOST as f64,
+                max: Tracer::MAX_COUNT as f64,
             },
         });
     }
-    for (index, tracer) in tracers.iter().enumerate().take(Tracer::MOST) {
+    for (index, tracer) in tracers.iter().enumerate().take(Tracer::MAX_COUNT) {
         if matches!(tracer.carrier, Carrier::Wheel(wheel) if wheel >= wheels) {
             reasons.push(Invalid {
                 dimension: Dimension::TracerCarrier(index),

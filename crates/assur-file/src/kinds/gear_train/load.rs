@@ -175,7 +175,7 @@ impl GearTrainDocument {
         let last = turning.last_speeds();
         let free = turning.free();
         let pull = self.pull(last.of(free))?;
-        let [_, satellite, carrier, _] = turning.at(Turning::LONGEST).speeds;
+        let [_, satellite, carrier, _] = turning.at(Turning::MAX_TIME).speeds;
         let driven = |shaft: Shaft| {
             let body = shaft.index();
             Driven {

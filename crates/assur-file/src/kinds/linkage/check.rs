@@ -7,15 +7,15 @@ use super::{LinkageDocument, LinkageProblem};
 use crate::problem::is_plain;
 
 /// Maximum number of points in a list. The next four constants limit the other lists of a document.
-const MOST_POINTS: usize = 200;
-const MOST_LINKS: usize = 64;
-const MOST_PAIRS: usize = 64;
-const MOST_DRIVERS: usize = 8;
-const MOST_SHOWN: usize = 32;
+const MAX_POINTS: usize = 200;
+const MAX_LINKS: usize = 64;
+const MAX_PAIRS: usize = 64;
+const MAX_DRIVERS: usize = 8;
+const MAX_SHOWN: usize = 32;
 /// Maximum number of characters of a name.
-const LONGEST_NAME: usize = 40;
+const MAX_NAME: usize = 40;
 /// Maximum number of characters of a title or source.
-const LONGEST_TEXT: usize = 400;
+const MAX_TEXT: usize = 400;
 
 /// All problems of single fields, with the paths of the fields. If lists are too long, no other problems are given.
 pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
@@ -35,16 +35,16 @@ pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
 
 fn counts(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let lists = [
-        ("points".to_owned(), document.points.len(), MOST_POINTS),
-        ("frame".to_owned(), document.frame.len(), MOST_POINTS),
-        ("tracers".to_owned(), document.tracers.len(), MOST_POINTS),
-        ("links".to_owned(), document.links.len(), MOST_LINKS),
-        ("slides".to_owned(), document.slides.len(), MOST_PAIRS),
-        ("gears".to_owned(), document.gears.len(), MOST_PAIRS),
-        ("drivers".to_owned(), document.drivers.len(), MOST_DRIVERS),
-        ("plots".to_owned(), document.plots.len(), MOST_SHOWN),
-        ("traces".to_owned(), document.traces.len(), MOST_SHOWN),
-        ("locks".to_owned(), document.locks.len(), MOST_PAIRS),
+        ("points".to_owned(), document.points.len(), MAX_POINTS),
+        ("frame".to_owned(), document.frame.len(), MAX_POINTS),
+        ("tracers".to_owned(), document.tracers.len(), MAX_POINTS),
+        ("links".to_owned(), document.links.len(), MAX_LINKS),
+        ("slides".to_owned(), document.slides.len(), MAX_PAIRS),
+        ("gears".to_owned(), document.gears.len(), MAX_PAIRS),
+        ("drivers".to_owned(), document.drivers.len(), MAX_DRIVERS),
+        ("plots".to_owned(), document.plots.len(), MAX_SHOWN),
+        ("traces".to_owned(), document.traces.len(), MAX_SHOWN),
+        ("locks".to_owned(), document.locks.len(), MAX_PAIRS),
     ];
     let of_links = document.links.iter().enumerate();
     let of_links = of_links.map(|(k, link)| {
@@ -52,7 +52,7 @@ fn counts(document: &LinkageDocument) -> Vec<LinkageProblem> {
             .points
             .len()
             .max(link.shape.as_ref().map_or(0, Vec::len));
-        (format!("links[{k}].points"), most, MOST_POINTS)
+        (format!("links[{k}].points"), most, MAX_POINTS)
     });
     let all = lists.into_iter().chain(of_links);
     all.filter(|(_, count, most)| count > most)
@@ -70,19 +70,19 @@ fn names(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let names = points
         .chain(links)
         .chain(tracers)
-        .filter(|(_, name)| name.is_empty() || !is_plain(name, LONGEST_NAME));
+        .filter(|(_, name)| name.is_empty() || !is_plain(name, MAX_NAME));
     let texts = [("title", &document.title), ("source", &document.source)];
     let texts = texts.into_iter().filter_map(|(path, text)| {
-        let unsound = !is_plain(text.as_ref()?, LONGEST_TEXT);
+        let unsound = !is_plain(text.as_ref()?, MAX_TEXT);
         unsound.then(|| LinkageProblem::BadText {
             path: path.to_owned(),
-            max: LONGEST_TEXT,
+            max: MAX_TEXT,
         })
     });
     names
         .map(|(path, _)| LinkageProblem::BadName {
             path,
-            max: LONGEST_NAME,
+            max: MAX_NAME,
         })
         .chain(texts)
         .collect()

@@ -142,7 +142,7 @@ fn problems(errors: Vec<FunctionError>) -> Vec<Problem> {
             SynthesisProblem::TooFewPositions { least: 2, count }
         }
         FunctionError::Count(count) => SynthesisProblem::TooManyPositions {
-            most: Task::MOST,
+            most: Task::MAX_POSITIONS,
             count,
         },
         FunctionError::Rows => SynthesisProblem::TooFewRows {

@@ -276,7 +276,7 @@ impl Course {
 
 /// Clamps a time to its limits; NaN becomes 0.
 fn on_axis(time: f64) -> f64 {
-    time.clamp(0.0, Turning::LONGEST).max(0.0)
+    time.clamp(0.0, Turning::MAX_TIME).max(0.0)
 }
 
 impl Known {

@@ -185,7 +185,7 @@ impl<'a> GearTrainSummary<'a> {
         let wheels = layout.train();
         let differential = wheels.differential();
         let speeds = train.turning.last_speeds();
-        let last = train.turning.at(Turning::LONGEST).speeds;
+        let last = train.turning.at(Turning::MAX_TIME).speeds;
         let in_radians = Shafts {
             sun: last[0],
             carrier: last[2],

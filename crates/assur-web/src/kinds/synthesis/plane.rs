@@ -7,7 +7,7 @@ use serde::Serialize;
 const PARTS: usize = 40;
 
 /// Lower bound of ΣJ before its logarithm is taken, in squares of the frame's length.
-const LEAST: f64 = 1e-9;
+const MIN_SUM: f64 = 1e-9;
 
 /// Values at the centres of cells. All cells have the same size in the logarithms of two lengths.
 /// Each row belongs to one value of the first length and runs over the second.
@@ -39,7 +39,7 @@ impl PlaneSummary {
         let surface = Surface::new(task);
         Self::new(task, |output, input| {
             let value = surface.value(output, input);
-            value.map_or(0.0, |value| value.max(LEAST).log10())
+            value.map_or(0.0, |value| value.max(MIN_SUM).log10())
         })
     }
 

@@ -24,7 +24,7 @@ impl Layout {
     /// axis, is used for magnets only; without it the gaps at sun and ring are equal.
     ///
     /// # Errors
-    /// Every reason at once: a number of satellites outside 1 to [`GearSet::MOST`](crate::gears::GearSet::MOST);
+    /// Every reason at once: a number of satellites outside 1 to [`GearSet::MAX_WHEELS`](crate::gears::GearSet::MAX_WHEELS);
     /// lengths that are not positive or not in range.
     pub fn new(
         train: Train,

@@ -22,9 +22,9 @@ impl Counts {
     /// Counts for a train with this number of satellites, entered by a person.
     ///
     /// # Errors
-    /// The number is not whole, or not within 1 … [`GearSet::MOST`].
+    /// The number is not whole, or not within 1 … [`GearSet::MAX_WHEELS`].
     pub fn new(satellites: f64) -> Result<Self, TrainError> {
-        let most = GearSet::MOST as f64;
+        let most = GearSet::MAX_WHEELS as f64;
         let satellites = Fault::check_count(satellites, (1.0, most))
             .map_err(|fault| TrainError::Satellites { fault })?;
         Ok(Self::of(satellites))

@@ -138,16 +138,16 @@ impl Turns {
 
 impl Turning {
     /// Maximum time, seconds.
-    pub const LONGEST: f64 = 1e6;
+    pub const MAX_TIME: f64 = 1e6;
 
     /// Maximum speed of a shaft, revolutions per minute, also for motion under load.
     pub const FASTEST: f64 = 1e5;
 
     /// Maximum rise time, seconds.
-    pub const LONGEST_RISE: f64 = 1e4;
+    pub const MAX_RISE: f64 = 1e4;
 
     /// Minimum positive rise time, seconds; it keeps accelerations finite.
-    pub const SHORTEST_RISE: f64 = 1e-6;
+    pub const MIN_RISE: f64 = 1e-6;
 
     /// Makes the motion of a train with these inputs.
     ///
@@ -229,10 +229,10 @@ impl Turning {
         self.free
     }
 
-    /// The state at a time from 0 to [`Self::LONGEST`], seconds.
+    /// The state at a time from 0 to [`Self::MAX_TIME`], seconds.
     pub fn at(&self, time: f64) -> Turned {
         // NaN becomes 0.
-        let time = time.clamp(0.0, Self::LONGEST).max(0.0);
+        let time = time.clamp(0.0, Self::MAX_TIME).max(0.0);
         let angles = self.turns(|rpm, rise| Turns::of(rpm, run(time, rise)));
         let [speeds, accelerations] = [speed, acceleration].map(|rate| {
             let rates = self.rates(|rpm, rise| rpm * TAU / MINUTE * rate(time, rise));
@@ -317,7 +317,7 @@ fn rise_fault(timed: &TimedInput) -> Option<InputError> {
         return None;
     }
     let (value, shaft) = (timed.rise, timed.input.shaft);
-    let (min, max) = (Turning::SHORTEST_RISE, Turning::LONGEST_RISE);
+    let (min, max) = (Turning::MIN_RISE, Turning::MAX_RISE);
     let fault = if !value.is_finite() {
         Fault::NotFinite
     } else if value < min || value > max {

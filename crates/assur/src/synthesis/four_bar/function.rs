@@ -31,7 +31,7 @@ pub enum FunctionError {
         /// The value of x.
         x: f64,
     },
-    /// No position is requested, or more than [`Task::MOST`].
+    /// No position is requested, or more than [`Task::MAX_POSITIONS`].
     Count(usize),
     /// A table has fewer than two rows.
     Rows,
@@ -161,7 +161,7 @@ impl Mapping {
         places: impl Fn(usize) -> Vec<f64>,
         f: &dyn Fn(f64) -> f64,
     ) -> Result<Vec<Position>, FunctionError> {
-        if count == 0 || count > Task::MOST {
+        if count == 0 || count > Task::MAX_POSITIONS {
             return Err(FunctionError::Count(count));
         }
         places(count)

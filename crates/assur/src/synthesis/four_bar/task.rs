@@ -53,7 +53,7 @@ pub enum TaskError {
     FrameAngle,
     /// There is no position.
     NoPosition,
-    /// There are more positions than [`Task::MOST`].
+    /// There are more positions than [`Task::MAX_POSITIONS`].
     TooMany {
         /// Number of positions.
         count: usize,
@@ -72,7 +72,7 @@ pub enum TaskError {
 
 impl Task {
     /// Maximum number of positions.
-    pub const MOST: usize = 64;
+    pub const MAX_POSITIONS: usize = 64;
     /// Default bounds of the lengths of coupler, output and input relative to the length of the frame.
     pub const RATIOS: [f64; 2] = [0.1, 10.0];
     /// Bounds of the length of a frame.
@@ -103,8 +103,8 @@ impl Task {
         check(bounded, TaskError::Ratios);
         let count = positions.len();
         check(count > 0, TaskError::NoPosition);
-        check(count <= Self::MOST, TaskError::TooMany { count });
-        let taken = &positions[..count.min(Self::MOST)];
+        check(count <= Self::MAX_POSITIONS, TaskError::TooMany { count });
+        let taken = &positions[..count.min(Self::MAX_POSITIONS)];
         for (k, position) in taken.iter().enumerate() {
             check(position.output.is_finite(), TaskError::Output(k));
             check(position.input.is_finite(), TaskError::Input(k));

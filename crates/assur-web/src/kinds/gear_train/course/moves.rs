@@ -52,7 +52,7 @@ impl Moves for GearTrain {
         } else if next < 0.0 {
             (-next, -1.0)
         } else {
-            (next.min(Turning::LONGEST), 1.0)
+            (next.min(Turning::MAX_TIME), 1.0)
         }
     }
 
