@@ -216,7 +216,7 @@ impl Enclosure {
         }
     }
 
-    /// Position, first derivative and bound of the point of a body that is at `at` at the start of the step.
+    /// Position, first derivative and bound of the body's point that coincides with `at` when the step starts.
     pub(crate) fn point_at(&self, from: &Predictor, body: BodyId, at: Vector) -> PointBound {
         let local = product(
             at - from.bodies[body].origin.value(),
