@@ -65,7 +65,7 @@ impl Scheme {
         idle
     }
 
-    /// Every two moving links that are joined to each other.
+    /// Every set of two moving links that are joined to each other.
     fn joined(&self) -> BTreeSet<[usize; 2]> {
         let pairs = self.pairs().iter();
         let joined = pairs.flat_map(|pair| {

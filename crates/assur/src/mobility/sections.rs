@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, VecDeque};
 use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
 
-/// A scheme opened by cuts, with its mobility W. A planar scheme's own space is the plane; otherwise it is space.
+/// A scheme opened by cuts, with its mobility W. Its own space is the plane for a planar scheme, and otherwise space.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sections {
     /// The cuts, in the order in which they were given.

@@ -100,7 +100,7 @@ struct System {
     /// True for points of the frame.
     fixed: Vec<bool>,
     constants: Vec<Constant>,
-    /// First two points of each link with at least two.
+    /// First two points of each link that has at least two.
     lines: Vec<[usize; 2]>,
     /// Centre of the crank and another point on the crank.
     crank: [usize; 2],

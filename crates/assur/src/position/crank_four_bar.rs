@@ -23,7 +23,7 @@ pub(crate) struct CrankFourBar {
     /// Body of the coupler; `rocker` is the body of the rocker.
     pub(crate) coupler: BodyId,
     pub(crate) rocker: BodyId,
-    /// Offsets of the angles of the bodies of coupler and rocker from φ₂ and φ₃.
+    /// Angles of the coupler's body and the rocker's body, less φ₂ and φ₃.
     arm_offsets: [f64; 2],
     /// Margins P and Q above which the links are placed like those of any dyad; infinite if they never are.
     min_margin: f64,

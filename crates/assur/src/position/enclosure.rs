@@ -23,7 +23,7 @@ pub(crate) struct Enclosure {
     pub(super) width: f64,
     pub(super) step_len: f64,
     bodies: List<BodyId, Bound>,
-    /// Bound on the distance of the solution of each group from its tangent, in units of its unknowns.
+    /// For each group, bound on the distance of its solution from the tangent, in units of the unknowns.
     pub(super) deviations: List<StepId, f64>,
     /// Bound on the relative change of the Jacobian of any group.
     pub(super) jacobian_change: f64,
@@ -216,7 +216,7 @@ impl Enclosure {
         }
     }
 
-    /// Position, first derivative and bound of the point of a body that is at `at` at the start of the step.
+    /// Position, first derivative and bound of the body's point that coincides with `at` when the step starts.
     pub(crate) fn point_at(&self, from: &Predictor, body: BodyId, at: Vector) -> PointBound {
         let local = product(
             at - from.bodies[body].origin.value(),

@@ -68,7 +68,7 @@ pub(crate) struct Arm {
     /// Points at the two hinges: the solved point, then the inner joint.
     pub(crate) joints: [PointId; 2],
     length: f64,
-    /// The link's turn relative to the vector between its hinges.
+    /// Turn e^(iθ) of the link relative to the vector between its hinges.
     turn: Vector,
 }
 

@@ -1,7 +1,7 @@
 //! The signed root of a dyad around a change point, by Hermite interpolation.
 //!
 //! At a change point the square under the closed form's root touches zero, so nearby the root has few digits. In the
-//! smooth motion the root changes sign; a polynomial that matches its derivatives at three nodes has all digits.
+//! smooth motion the root changes sign; a polynomial that matches the root's derivatives at three nodes has all digits.
 
 use crate::Jet;
 use crate::index::StepId;

@@ -129,7 +129,7 @@ pub(crate) trait Solvable {
         Singularity::Group
     }
 
-    /// Scales to which the rounding errors of the margins are relative.
+    /// Scales of the margins, to which their rounding errors are relative.
     fn scales(&self) -> [f64; 2] {
         [1.0; 2]
     }

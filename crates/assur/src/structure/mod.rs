@@ -161,7 +161,7 @@ pub enum Step {
         /// Index of the driver in the given list of drivers.
         driver: usize,
         /// The base link and the driven link. If both belong to one group, as a cylinder and its piston may, the group
-        /// adds both; its step follows those of its drivers.
+        /// adds both, and the step of the group follows those of its drivers.
         links: [usize; 2],
     },
     /// An Assur group.

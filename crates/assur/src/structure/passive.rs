@@ -15,7 +15,7 @@ pub fn with_passive_links(
 ) -> Option<Structure> {
     let mut passive = BTreeSet::new();
     let mut surplus = surplus(graph, drivers, &passive)?;
-    // If one link of several can be passive, the last is chosen.
+    // If any one of several links can be passive, the last is chosen.
     for link in (0..graph.links).rev().filter(|link| *link != graph.ground) {
         let joins = graph
             .pairs

@@ -26,7 +26,7 @@ pub(in crate::motion) struct Knots {
     first: f64,
     /// Smooth roots of steps around change points.
     smooth_roots: Vec<SmoothRoot>,
-    /// Maximum distance between neighbouring knots at which a guess is interpolated.
+    /// Maximum distance between neighbouring knots for a guess to be interpolated between them.
     longest: f64,
     /// Minimum and maximum of each step's first margin ([`State::margins`]) over all samples, including dropped ones.
     margins: List<StepId, [f64; 2]>,

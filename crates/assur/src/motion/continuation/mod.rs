@@ -71,7 +71,7 @@ struct Prediction<'a> {
 }
 
 impl<'a> Prediction<'a> {
-    /// Predicts the pose a step `width` away, with present orientations: in a certified step no body makes half a turn.
+    /// Predicts the pose a step `width` away. Orientations stay: in a certified step no body makes half a turn.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();

@@ -16,7 +16,7 @@ impl Continuation<'_> {
     /// Nearest fold of any group just ahead. Near a fold the rates of dependent groups grow without bound, so a
     /// dependent group may be the first one that cannot be certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        // Near a fold, steps shorten in proportion to its distance. If steps are short, the fold is within this window.
+        // Steps shorten in proportion to the distance from a fold. If steps are short, the fold is within this window.
         let window = tolerance::DISTINCT * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();

@@ -166,7 +166,7 @@ impl Pencil {
             index_of[*set as usize] = at;
         }
         let width = 2 * sets.len();
-        // Rows of R₀ with the rows of R₁, and rows without t.
+        // Rows with t, each as a row of R₀ and a row of R₁, and rows without t.
         let (mut with_t, mut without_t) = (Vec::new(), Vec::new());
         for set in &sets {
             let rest = all & !set;

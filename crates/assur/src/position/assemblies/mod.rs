@@ -115,7 +115,7 @@ impl Group {
                 solutions
             }
         };
-        // The slopes of complex pairs need derivatives of the inputs.
+        // A complex pair has a derivative, which needs derivatives of the inputs.
         let pairs = solutions.complex_pairs().filter(|_| N > 1);
         let pairs = pairs.filter_map(|at| system.complex_pair(&system.reduced(at)));
         let real = solutions.real().map(|own| GroupAssembly {

@@ -255,7 +255,7 @@ impl Elimination {
     }
 }
 
-/// Minimum and maximum exponent for which the power of two and its reciprocal are normal numbers.
+/// Minimum and maximum exponent for which a power of two and its reciprocal are normal numbers.
 const EXPONENT_RANGE: [i32; 2] = [-1022, 1022];
 
 /// Exponent of the greatest power of two not above the absolute value.

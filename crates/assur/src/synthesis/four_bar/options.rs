@@ -14,7 +14,7 @@ pub enum Options {
     Family(Family),
     /// Finitely many linkages: for three positions, or five with free starting angles.
     Exact(Vec<Solution>),
-    /// Compromises, the least ΣJ first: for more positions.
+    /// Compromises by increasing ΣJ: for more positions than these.
     Minima {
         /// Minima found by the search.
         minima: Vec<Minimum>,

@@ -200,7 +200,7 @@ struct Met {
     up: f64,
     /// The same sum, positive, if the input only decreases.
     down: f64,
-    /// For an oscillating driver: whether all its steps increase, and whether all decrease.
+    /// For an oscillating driver: whether the input increases at every step, and whether it decreases at every step.
     monotone: [bool; 2],
     extremes: [f64; 2],
 }

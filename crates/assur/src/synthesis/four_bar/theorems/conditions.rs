@@ -63,8 +63,8 @@ pub struct Condition {
     /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero, which
     /// counts as either sign: the cases with P ≥ 0 hold if P ≥ 0, the others do not.
     pub holds: bool,
-    /// True if its intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is positive for
-    /// some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
+    /// True if the condition's intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is
+    /// positive for some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
     pub truth: bool,
 }
 

@@ -114,8 +114,8 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
     )
 }
 
-/// Result for e₃ = ±e₂. The vector product of the loop equation and e₂ gives e₀ × e₂ = z₁ e₁ × e₂. The lengths z₂ and
-/// ±z₃ make up the rest along e₂: any amount if e₂ and e₃ are opposite, otherwise only a positive one.
+/// Result for e₃ = ±e₂. The vector product of the loop equation and e₂ gives e₀ × e₂ = z₁ e₁ × e₂. The sum z₂ ± z₃
+/// makes up the rest along e₂: of either sign if e₂ and e₃ are opposite, otherwise only positive.
 fn parallel(angles: &Angles) -> Truth {
     let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
         let turn = angles.output - angle;
