@@ -148,7 +148,7 @@ impl Moving {
         self
     }
 
-    /// Replaces the handles of points, except the driver's, by these handles. Points can then not be traced.
+    /// Replaces all handles of points, except the driver's, by these. Points can then no longer be traced.
     pub(crate) fn held_by(mut self, handles: impl Iterator<Item = Handle>) -> Self {
         let driven = (self.driven).map(|driven| HandlePlace::Point(driven.end()));
         self.handles.retain(|handle| Some(handle.at) == driven);

@@ -185,7 +185,7 @@ pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
 }
 
 impl Circuits {
-    /// Finds whether one branch can be reached from another, by breadth-first search for the fewest meetings.
+    /// Finds whether one branch can be reached from another, through the fewest meetings, by breadth-first search.
     pub fn reach(&self, from: usize, to: usize) -> Reach {
         if from == to {
             return Reach::SameBranch;

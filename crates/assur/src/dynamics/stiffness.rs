@@ -87,7 +87,7 @@ impl Equations {
         let passing = Mesh::ALL.map(|mesh| {
             let field = self.mesh(mesh);
             let rate = field.phase(speeds);
-            // Rate of the phase where the field's potential is lowest: the same in every period of a slip.
+            // Rate of the phase as its potential passes the minimum: the same in every period of a slip.
             let height = field.potential(field.folded(angles).1) / field.energy;
             (rate * rate + 2.0 * self.stiffness(mesh) * height).sqrt()
         });

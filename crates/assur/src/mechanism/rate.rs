@@ -199,7 +199,7 @@ impl Mechanism {
     }
 
     /// Number of turns after which a mechanism of only cranks and wheels repeats, from the numbers of teeth. None for
-    /// any other mechanism, and beyond [`NEVER`].
+    /// any other mechanism, or if the number exceeds [`NEVER`].
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
         let mut steps = self.steps().iter();
         let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Epicyclic(_)));
@@ -210,7 +210,7 @@ impl Mechanism {
 
     /// Minimum number of turns after which a motion may repeat: the common multiple of two periods. One is the period
     /// of drivers and wheels; the other is that of four-bars in closed form, two turns if one turn leads to the other
-    /// assembly. None beyond [`NEVER`].
+    /// assembly. None if the number exceeds [`NEVER`].
     pub(crate) fn least_turns(&self) -> Option<usize> {
         let turns = self.closed_steps().map(|closed| closed.turns());
         common(turns.max().unwrap_or(1), self.period_turns())

@@ -6,7 +6,7 @@ use super::{Carrier, Mixer};
 use crate::mechanism::{FRAME, GearSpec, LinkSpec, LinkageSpec, PointSpec, TracerSpec};
 use crate::{Link, Point, Unsolved, Vector};
 
-/// The links with two joints, and the names of each link, its two joints and its centre of mass.
+/// The links with two joints, each with the names of the link, of its joints and of its centre of mass.
 const BARS: [(Link, Carrier, [&str; 4]); 3] = [
     (Link::Crank, Carrier::Crank, ["crank", "A", "B", "C1"]),
     (Link::Coupler, Carrier::Coupler, ["coupler", "B", "C", "C2"]),

@@ -44,8 +44,7 @@ impl Counts {
         3 * i64::from(self.links) - 2 * i64::from(self.one_freedom) - i64::from(self.two_freedoms)
     }
 
-    /// Number of passive constraints, one for each satellite after the first: the train has two freedoms, by count
-    /// fewer.
+    /// Number of passive constraints, one for each satellite after the first. The count of mobility is too low by this.
     pub fn passive(&self) -> i64 {
         2 - self.mobility()
     }
