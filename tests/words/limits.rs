@@ -161,7 +161,7 @@ fn freedoms_of_pairs() {
 #[test]
 fn the_page_and_files_take_images_of_one_length() {
     let script = source("www/drawing/image.js");
-    let (_, longest) = script.split_once("const LONGEST = ").unwrap();
+    let (_, longest) = script.split_once("const MAX_TEXT = ").unwrap();
     let digits = longest.split(';').next().unwrap().replace('_', "");
     let longest: usize = digits.parse().unwrap();
     let start = "data:image/gif;base64,";
