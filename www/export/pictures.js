@@ -134,7 +134,7 @@ function blank() {
 }
 
 /**
- * Makes a picture of the plots with a legend of the curves above. Exported plots have no table to explain the colours.
+ * Makes a picture of the plots with a legend of their curves below. The page explains the colours in a table, which is not exported.
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @param {import("assur/core/words.js").Words} words

@@ -48,7 +48,7 @@ export class Pictures {
     return canvas;
   }
 
-  /** Paints the drawn pictures again after a change of the colours or of the size. */
+  /** Repaints the pictures drawn so far after the colours or the size change. */
   repaint() {
     for (const [canvas, sketch] of this.#drawn) this.#paint(canvas, sketch);
   }

@@ -49,8 +49,9 @@ import { holds, open } from "assur/lesson/show.js";
  *   controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[], figure?: (engine: Engine) => Figure,
  * }>} Step
  * `kind`: kind of the step's documents, if not the lesson's. `formula`: a function if it contains a number, which is written with the reader's
- * decimal sign. `relations`: ids of the paper's items shown in the step, in their valid form. The step also contains: `controls`, named by
- * their fields; `readouts`, named by their ids without `out-`; parts of the page, named by their ids (`lends`); and a `figure` of its own.
+ * decimal sign. `relations`: ids of the paper's items whose correct formulas the step shows. `controls`: fields of
+ * the controls in the step. `readouts`: ids of its read-outs, without `out-`. `lends`: ids of the parts of the page that it borrows. `figure`:
+ * a figure of its own.
  */
 
 /**

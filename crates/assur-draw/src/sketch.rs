@@ -22,7 +22,7 @@ const WHEEL: f64 = 5.0;
 /// View of a sketch: links in special colours, and the size of an empty sheet.
 #[derive(Clone, Debug)]
 pub struct SketchView {
-    /// Links that move by themselves or are joined to nothing.
+    /// Links whose motion the drivers do not determine, or that nothing joins to the frame.
     pub loose: Vec<String>,
     /// Links that cannot move.
     pub locked: Vec<String>,

@@ -3,7 +3,7 @@
 use assur::mechanism::{Defect, FRAME};
 use assur_file::{LinkageDocument, LinkageProblem};
 
-/// Maximum number of characters of a link's name that is composed of the names of its points.
+/// Maximum number of characters in a link's name that is composed of the names of its points.
 const MAX_COMPOSED: usize = 24;
 
 /// A free name for a point: A to Z, then A1 to Z1 and so on.

@@ -24,13 +24,13 @@ const STEPS: usize = 40;
 /// Maximum number of options in a choice.
 const OPTIONS: usize = 8;
 
-/// Maximum number of characters of a title or name.
+/// Maximum number of characters in a title or name.
 const TITLE: usize = 200;
-/// Maximum number of characters of a question, a hint or an option.
+/// Maximum number of characters in a question, a hint or an option.
 const LINE: usize = 500;
-/// Maximum number of characters of the text of a step.
+/// Maximum number of characters in the text of a step.
 const TEXT: usize = 5000;
-/// Maximum number of characters of the formulas of a step.
+/// Maximum number of characters in the formulas of a step.
 const FORMULA: usize = 1000;
 
 /// A lesson. It is saved with the state of the page. Unknown keys are refused.

@@ -15,7 +15,7 @@ const TYPES: [&str; 5] = [
     "data:image/svg+xml;base64,",
 ];
 
-/// Maximum number of characters of an image's URL.
+/// Maximum number of characters in an image's URL.
 const MAX_URL: usize = 2_000_000;
 
 /// Greatest magnitude of a picture's coordinates and width.

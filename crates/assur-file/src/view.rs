@@ -18,7 +18,7 @@ const OMEGA_LIMIT: f64 = 1e4;
 /// Greatest magnitude of ε₁, rad/s².
 const EPSILON_LIMIT: f64 = 1e6;
 
-/// Maximum number of characters of the name of a lesson.
+/// Maximum number of characters in the name of a lesson.
 const NAME_LIMIT: usize = 64;
 
 /// The view of a mechanism. Its fields do not change the mechanism.

@@ -14,9 +14,9 @@ pub enum LeftOut {
     Forces { names: Vec<String> },
     /// Names of links with masses.
     Masses { names: Vec<String> },
-    /// Speed of a crank, revolutions per minute.
+    /// Speed of a crank, in revolutions per minute.
     Speed { link: String, rpm: f64 },
-    /// Frequency of an actuator, cycles per minute.
+    /// Frequency of an actuator, in cycles per minute.
     Pace { link: String, cycles: f64 },
     /// Number of parts that are drawn but do not belong to the mechanism.
     Drawn { parts: usize },

@@ -36,7 +36,7 @@ fn number(text: &str) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// Maximum number of characters of a quoted text.
+/// Maximum number of characters in a quoted text.
 const MAX_QUOTE: usize = 40;
 
 /// Returns the start of an outside text for a message, without control characters and with `…` where it is cut.

@@ -29,7 +29,7 @@ pub(crate) struct DimensionSummary<'a> {
     step: f64,
 }
 
-/// Minimum number of steps over the range of a slider on the page; a step is a power of ten.
+/// Minimum number of steps in the range of a slider on the page; a step is a power of ten.
 const STEPS: f64 = 200.0;
 
 /// Rounds both ends of a range to whole steps of the page's slider. Returns the range and the step.

@@ -16,7 +16,7 @@ pub const TEETH: (f64, f64) = (3.0, 1000.0);
 /// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
 
-/// Kinds of mesh of two wheels.
+/// How two wheels mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mesh {
     /// External teeth on both wheels: they turn in opposite senses.
@@ -24,7 +24,7 @@ pub enum Mesh {
     /// The larger wheel is a ring with internal teeth: both wheels turn in the same sense.
     Internal,
     /// External teeth on both wheels, but with equation (26) of the mixer paper, ψ₅ = +u φ₃. A real pair of such wheels
-    /// turns in opposite senses. The printed sign needs an idler between the wheels, which is drawn.
+    /// turns in opposite senses. The printed sign needs an idler between the wheels, so one is drawn.
     AsPrinted,
 }
 

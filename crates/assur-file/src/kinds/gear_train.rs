@@ -21,7 +21,7 @@ use super::numbers::{self, NumberField};
 use crate::problem::Problems;
 use crate::{LengthUnit, LinkageDocument, LinkageProblem, Problem};
 
-/// Maximum number of characters of a title or source.
+/// Maximum number of characters in a title or source.
 const MAX_TEXT: usize = 400;
 
 /// Shortest and longest time span that may be plotted, seconds.

@@ -11,9 +11,9 @@ use crate::{LinkageDocument, LinkageProblem, Problem};
 /// Maximum number of pairs: more could not be distinguished in a drawing.
 const MAX_PAIRS: usize = 300;
 
-/// Maximum number of characters of the name of a pair or link.
+/// Maximum number of characters in the name of a pair or link.
 const MAX_NAME: usize = 20;
-/// Maximum number of characters of a title or source.
+/// Maximum number of characters in a title or source.
 const MAX_TEXT: usize = 400;
 
 /// A scheme of links and pairs, and the list of cut pairs.

@@ -1,6 +1,6 @@
 //! Names that are valid for a linkage.
 
-/// Maximum number of characters of a name.
+/// Maximum number of characters in a name.
 const MAX_NAME: usize = 40;
 
 /// Names already in use.

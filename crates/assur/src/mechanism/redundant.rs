@@ -244,7 +244,7 @@ impl Layout {
     }
 
     /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank is not the number of drivers, as with drivers compatible only at their rates.
+    /// the mobility by rank is not the number of drivers, as when drivers agree only because of their given rates.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;

@@ -76,7 +76,7 @@ impl Motion {
         error.is_finite().then_some((error, smooth))
     }
 
-    /// Square whose root determines the pose of a step, with its derivatives.
+    /// Quantity under the square root that determines the pose of a step, with the derivatives of the quantity.
     fn square(&self, step: StepId, input: f64) -> Option<Jet<KNOWN>> {
         let margins = self.margins(step, input)?;
         Some(self.mechanism.steps()[step].square(margins))

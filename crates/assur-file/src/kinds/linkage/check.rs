@@ -12,9 +12,9 @@ const MAX_LINKS: usize = 64;
 const MAX_PAIRS: usize = 64;
 const MAX_DRIVERS: usize = 8;
 const MAX_SHOWN: usize = 32;
-/// Maximum number of characters of a name.
+/// Maximum number of characters in a name.
 const MAX_NAME: usize = 40;
-/// Maximum number of characters of a title or source.
+/// Maximum number of characters in a title or source.
 const MAX_TEXT: usize = 400;
 
 /// All problems of single fields, with the paths of the fields. If lists are too long, no other problems are given.

@@ -94,7 +94,7 @@ impl Continuation<'_> {
         self.mechanism.steps()[step].passes_change_point()
     }
 
-    /// Square whose root determines the pose of a step.
+    /// Quantity under the square root that determines the pose of a step.
     fn square(&self, step: StepId, state: &State<KNOWN>) -> Jet<KNOWN> {
         self.mechanism.steps()[step].square(state.margins[step])
     }

@@ -19,7 +19,7 @@ use crate::index::BodyId;
 use bilinear::{Affine, Bilinear, C, System, Varying};
 pub(crate) use tracker::Tracker;
 
-/// Method to find all assemblies of a group.
+/// Method of finding all assemblies of a group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
     /// Dixon's determinant if all pairs are hinges, otherwise homotopy paths.
