@@ -570,7 +570,7 @@ number?: NumberDocument | null,
  */
 choice?: ChoiceDocument | null, 
 /**
- * The answer, if it is a state to which the reader brings the mechanism.
+ * The answer, if it is a state that the reader must bring the mechanism to.
  */
 reach?: ReachDocument | null, };
 export type ReachDocument = { 

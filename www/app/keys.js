@@ -51,7 +51,7 @@ const OWN = Object.freeze({
 });
 
 /**
- * Runs the commands of the table on their keys.
+ * Runs each command of the table when one of its keys is pressed.
  * @param {import("assur/app/commands.js").Commands} commands
  */
 export function listen(commands) {

@@ -1,4 +1,4 @@
-// Search for cards by the words of names and groups, in the page's language and in English, and by classes.
+// Search for cards by words in their texts and groups, in the page's language and in English, and by class.
 
 /** Roman numerals of classes, indexed by their values, because a class can also be typed as a digit. */
 const CLASSES = Object.freeze(["", "i", "ii", "iii", "iv", "v", "vi"]);

@@ -106,7 +106,7 @@ export class Results {
 
   /**
    * @param {string} code
-   * @param {number} line index of the code's line, from 0
+   * @param {number} line index of the line that the code is on, from 0
    * @param {Written} lesson
    * @param {string} own digest of the lesson
    * @param {readonly number[]} asked indices of the steps with a question

@@ -11,7 +11,10 @@ import { contains } from "assur/state/state.js";
  */
 const VERSION = "2";
 const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({ 1: "lesson", [VERSION]: "kind" }));
-/** Parts of a state in an address besides document and view. In the first version, the key `lesson` gave the kind. */
+/**
+ * Parts of a state, other than kind, document and view, that an address can hold. In version 1, the key `lesson` held
+ * the kind instead.
+ */
 const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
@@ -136,8 +139,9 @@ function parsed(text) {
 }
 
 /**
+ * Checks the depth of nesting.
  * @param {unknown} value
- * @param {Refusal} deep refusal of a value that is nested too deeply
+ * @param {Refusal} deep thrown if the value is nested too deeply
  * @returns {unknown} the value itself
  */
 function shallow(value, deep) {

@@ -134,7 +134,7 @@ fn filled(place: &str, value: &Value) -> String {
     }
 }
 
-/// Shortens a long text of a file to its beginning and end, for a message.
+/// Shortens a long text from a file to its beginning and end, for use in a message.
 fn shortened(text: &str) -> String {
     const MAX_LENGTH: usize = 300;
     const END: usize = 100;

@@ -103,7 +103,7 @@ pub struct QuestionDocument {
     /// The options and the answer, if the answer is one of several options.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub choice: Option<ChoiceDocument>,
-    /// The answer, if it is a state to which the reader brings the mechanism.
+    /// The answer, if it is a state that the reader must bring the mechanism to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reach: Option<ReachDocument>,
 }

@@ -82,7 +82,8 @@ pub(crate) struct MotionSummary<'a> {
     profile: Option<ProfileSummary>,
 }
 
-/// Numbers of moving links, lower pairs, higher pairs; mobility by rank and count. A hinge of k links is k − 1 pairs.
+/// Numbers of moving links, lower pairs, higher pairs; mobility by rank and by count. A hinge of k links counts as
+/// k − 1 pairs.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CountsSummary {

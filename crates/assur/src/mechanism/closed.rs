@@ -127,8 +127,8 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel has returned to its angle whenever the crank or rocker that turns the wheel has returned, or if
-    /// the wheel looks the same at any angle.
+    /// True if a wheel is back at its angle whenever the crank or rocker that turns it is back at its own, or if the
+    /// wheel looks the same at any angle.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;

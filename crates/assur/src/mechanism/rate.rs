@@ -208,9 +208,9 @@ impl Mechanism {
             .filter(|turns| alone && *turns < NEVER)
     }
 
-    /// Minimum number of turns after which a motion may repeat: the common multiple of two periods. One is the period
-    /// of drivers and wheels; the other is that of four-bars in closed form, two turns if one turn leads to the other
-    /// assembly. None if the number exceeds [`NEVER`].
+    /// Least number of turns after which a motion may repeat: the least common multiple of the period of drivers and
+    /// wheels and the period of the four-bars in closed form (one turn, or two if a turn swaps their assembly). None if
+    /// [`NEVER`] or more.
     pub(crate) fn least_turns(&self) -> Option<usize> {
         let turns = self.closed_steps().map(|closed| closed.turns());
         common(turns.max().unwrap_or(1), self.period_turns())

@@ -169,7 +169,7 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
 mod tests {
     use super::*;
 
-    /// The twists and wrenches of a pair are reciprocal and independent, and six in total.
+    /// The twists of a pair are independent, and so are its wrenches; the two are reciprocal and number six in all.
     #[test]
     fn reciprocal() {
         for kind in PairKind::forms(0.5) {

@@ -21,7 +21,7 @@ pub struct Input {
 pub enum Drive {
     /// Prescribed speed or angle of rotation; 0 holds the shaft.
     Given(f64),
-    /// A multiple of another shaft's speed, as by a gear train between the two shafts.
+    /// A multiple of another shaft's speed, as if the two shafts were geared together.
     Tied {
         /// The other shaft.
         to: Shaft,

@@ -99,7 +99,7 @@ impl Continuation<'_> {
         self.mechanism.steps()[step].square(state.margins[step])
     }
 
-    /// State at an input, solved with the given smooth roots up to the first step without a solution.
+    /// State at an input, solved step by step with the given smooth roots until a step has no solution.
     fn state_at(&self, input: f64, smooth_roots: &[SmoothRoot]) -> State<KNOWN> {
         let mut state = self.mechanism.blank_state();
         let predicted = Prediction::of(&self.here, &self.orientations, input - self.input);

@@ -66,7 +66,8 @@ impl Solvable for Rrp {
             return false;
         }
         let sine = ((length - most) * (length + most)).sqrt() / length;
-        // Let n be the normal of the line, σ the displacement of C along the line, X = C − B and q = `to_c`. Then
+        // Let n be the line's normal, ω and ε its angular velocity and acceleration, X = C − B, q = `to_c` (from B to a
+        // point fixed to the line's body), σ the displacement of C from that point along the line. Then
         // n·X″ = n·q″ + 2σ′ω + σε, where |σ′| ≤ |X′| + |q′|.
         let free = sine - cell.step_len * max_turn_rate;
         if free <= 0.0 {

@@ -134,7 +134,8 @@ impl Group {
         }
     }
 
-    /// Bound on the change of an equation's rate over the step, with the rates of the unknowns fixed.
+    /// Bound on how much the derivative of an equation's residual changes over the step, with the unknowns within
+    /// `radius` of the tangent and their rates as at the start.
     fn rate_defect(&self, equation: &Equation, cell: &Enclosure, radius: f64) -> f64 {
         let step_len = cell.step_len;
         let bound = |form: usize| self.form_bound(cell, form);

@@ -62,7 +62,7 @@ fn grid(places: usize, [from, to]: [f64; 2]) -> impl Iterator<Item = Point<2>> {
     (0..places * places).map(move |k| [at(k / places), at(k % places)])
 }
 
-/// Sets of K out of `count` positions, evenly spread over all such sets.
+/// At most [`CHOICES`] sets of K of the `count` positions, taken at even intervals from a list of such sets.
 fn choices<const K: usize>(count: usize) -> Vec<[usize; K]> {
     let mut all: Vec<[usize; K]> = Vec::new();
     if count < K {

@@ -104,7 +104,7 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
             return Some(Truth::None);
         }
     }
-    // If e₁ points along e₀, both ends are 1 except for rounding.
+    // If e₁ points along e₀, an empty range has both ends at 1, up to rounding.
     Some(
         if to.is_none_or(|to| from < to * (1.0 - tolerance::NEGLIGIBLE)) {
             Truth::Between { from, to }
@@ -114,8 +114,8 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
     )
 }
 
-/// Result for e₃ = ±e₂. The vector product of the loop equation and e₂ gives e₀ × e₂ = z₁ e₁ × e₂. The sum z₂ ± z₃
-/// makes up the rest along e₂: of either sign if e₂ and e₃ are opposite, otherwise only positive.
+/// Case e₃ = ±e₂. The vector product of the loop equation and e₂, e₀ × e₂ = z₁ e₁ × e₂, gives z₁ unless e₁ is parallel
+/// too. Along e₂ the remainder must equal z₂ ± z₃: any value if e₂ and e₃ are opposite, otherwise a positive one.
 fn parallel(angles: &Angles) -> Truth {
     let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
         let turn = angles.output - angle;
