@@ -183,11 +183,7 @@ export class Engine {
   /**
    * @template {object} S
    * @param {S} summary of the document just set
-<<<<<<< HEAD
    * @returns {S} the summary; that of a linkage has a field `assembled`, computed on first access
-=======
-   * @returns {S} the summary; that of a linkage has a field `assembled`, which is computed on first access
->>>>>>> 5be9d65b3f900e0cf1c61ed47ec8bdf97bf8cad7
    */
   #withAssembled(summary) {
     if (!("groups" in summary && "home" in summary)) return summary;

@@ -6,9 +6,10 @@ use assur_draw::ROLES;
 use assur_draw::chart::{
     Against, Axis, Chart, Field, Kind, Mark, MarkKind, Palette, Panel, Passed, Tick,
 };
-use assur_file::Only;
+use assur_file::{Only, Problem};
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
+use wasm_bindgen::JsValue;
 
 /// The page's request for a chart. Sizes are in CSS pixels.
 #[derive(Deserialize)]
@@ -41,6 +42,14 @@ fn usual() -> f64 {
 }
 
 impl ChartRequest {
+    /// Reads a request directly: as JSON, an infinite `around` would be lost.
+    pub(crate) fn read(value: JsValue) -> Result<Self, Problem> {
+        serde_wasm_bindgen::from_value(value).map_err(|error| Problem::BadState {
+            path: "chart".to_owned(),
+            detail: error.to_string(),
+        })
+    }
+
     pub(crate) fn palette(&self) -> Palette {
         self.palette.map(|[r, g, b]| RGBColor(r, g, b))
     }

@@ -12,7 +12,7 @@ use web_sys::CanvasRenderingContext2d;
 use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited, Moves, RelationHere, unknown};
 use crate::chart::{ChartLayout, ChartRequest};
-use crate::convert::{read, read_tagged, read_value, thrown, to_js};
+use crate::convert::{read, read_tagged, thrown, to_js};
 use crate::kinds::{as_kind, draft, open};
 use crate::moving::Moving;
 use crate::table::SweepTable;
@@ -283,7 +283,7 @@ impl Simulator {
         with: Option<&dyn Moves>,
     ) -> Result<JsValue, JsValue> {
         let moves = self.moves()?;
-        let request: ChartRequest = read_value(&request)?;
+        let request = ChartRequest::read(request).map_err(one)?;
         let size = (request.width, request.height);
         let canvas = Canvas::new(context, size, request.ratio, request.whole);
         let (area, palette) = (canvas.into_drawing_area(), request.palette());
