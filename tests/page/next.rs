@@ -24,7 +24,7 @@ const CUT: &str = "return [...document.querySelectorAll('.lesson-body *')]
 
 /// The typed answer, and the element that has the focus.
 const GIVEN: &str =
-    "return [document.getElementById('lesson-answer')?.value, document.activeElement.id];";
+    "return [document.getElementById('lesson-answer')?.value, document.activeElement?.id];";
 
 /// Whether the page itself scrolls, on a screen where only its parts do.
 const SCROLLS: &str = "const all = document.documentElement; return innerWidth >= 960 && all.scrollHeight > innerHeight;";

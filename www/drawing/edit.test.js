@@ -167,3 +167,10 @@ test("of what is gone nothing stays selected; with a link all its points are", (
   assert.deepEqual([[...selection.points], [...selection.links]], [["A", "T"], ["BC"]]);
   assert.deepEqual(selection.all(parts).sort(), ["A", "B", "C", "T"]);
 });
+
+test("a malformed edit names its fault", () => {
+  const { engine } = begin();
+  for (const [wanted, path] of [[null, "edit"], [{ edit: 5 }, "edit"], [{ edit: "nonsense" }, "edit"], [{ edit: "fix" }, "."], [{ edit: "fix", point: 5 }, "point"], [{ edit: "bar", ends: [{ at: [0, "x"] }, { at: [1, 1] }] }, "ends[0].at[1]"]]) {
+    assert.throws(() => engine.ask((simulator) => simulator.edit(wanted, 0)), ({ problems: [{ code, path: at }] }) => code === "bad_state" && at === path, path);
+  }
+});

@@ -3,7 +3,8 @@
 use assur_file::LinkageDocument;
 use serde::Deserialize;
 
-/// One edit of a drawing. Lengths are in the unit of the drawing; parts are given by name.
+/// One edit of a drawing. Lengths are in the unit of the drawing; parts are given by name. The page writes the name of
+/// the variant into the field `edit`; the border takes it out before this type is read.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(tag = "edit"))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]

@@ -42,7 +42,7 @@ fn usual() -> f64 {
 }
 
 impl ChartRequest {
-    /// Reads a request directly: as JSON, an infinite `around` would be lost.
+    /// Reads a request directly: JSON would refuse an infinite `around`, which stands for the end of the time axis.
     pub(crate) fn read(value: JsValue) -> Result<Self, Problem> {
         serde_wasm_bindgen::from_value(value).map_err(|error| Problem::BadState {
             path: "chart".to_owned(),

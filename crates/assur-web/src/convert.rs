@@ -46,18 +46,36 @@ pub(crate) fn read_value<T: DeserializeOwned>(given: &JsValue) -> Result<T, JsVa
 /// Reads a variant of an enum: an object with the name of the variant in the field `tag`.
 ///
 /// # Errors
-/// No such field; otherwise the malformed part, with the name of the variant at the start of its path.
+/// The malformed part; `tag` if it is missing or names no variant.
 pub(crate) fn read_tagged<T: DeserializeOwned>(given: &JsValue, tag: &str) -> Result<T, JsValue> {
     let variant = json(given).and_then(|mut value| {
         let name = value.as_object_mut().and_then(|fields| fields.remove(tag));
         let name = name.as_ref().and_then(Value::as_str);
         let name = name.ok_or_else(|| Problem::BadState {
             path: tag.to_owned(),
-            detail: "no name of a variant".to_owned(),
+            detail: format!("missing field `{tag}`"),
         })?;
-        from_json(&Value::from_iter([(name, value)]))
+        let read = from_json(&Value::from_iter([(name, value)]));
+        read.map_err(|problem| outside_variant(problem, name, tag))
     });
     variant.map_err(|problem| thrown([problem]))
+}
+
+/// Takes the name of a variant from the start of a problem's path, where the page has none. Without the name there, the
+/// variant itself is unknown.
+fn outside_variant(problem: Problem, name: &str, tag: &str) -> Problem {
+    let Problem::BadState { path, detail } = problem else {
+        return problem;
+    };
+    let path = match path.strip_prefix(name) {
+        Some("") => ".",
+        Some(inside) => inside.trim_start_matches('.'),
+        None => tag,
+    };
+    Problem::BadState {
+        path: path.to_owned(),
+        detail,
+    }
 }
 
 fn json(given: &JsValue) -> Result<Value, Problem> {

@@ -8,7 +8,7 @@ use assur_file::{Document, LinkageProblem, Problem, State, dimension_field};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{read, read_value, thrown, to_js};
+use crate::convert::{read, thrown, to_js};
 use crate::kinds::Redrawn;
 use crate::profile::band;
 
@@ -74,7 +74,13 @@ impl Design {
     #[wasm_bindgen(constructor)]
     pub fn new(state: JsValue, wishes: JsValue) -> Result<Self, JsValue> {
         let state = read(&state)?;
-        let wishes: Wishes = read_value(&wishes)?;
+        // JSON would refuse a number that is not finite, which the search names itself.
+        let wishes: Wishes = serde_wasm_bindgen::from_value(wishes).map_err(|error| {
+            thrown([Problem::BadState {
+                path: "wishes".to_owned(),
+                detail: error.to_string(),
+            }])
+        })?;
         Self::of(&state, &wishes).map_err(thrown)
     }
 

@@ -75,7 +75,7 @@ impl Layout {
     }
 }
 
-/// Counts of bodies, doubled links and the pairs at the given points.
+/// Counts of bodies, doubled links, slides, gears, and hinges at the given points.
 pub(super) fn counts(
     bodies: &Bodies,
     doubled: &[DoubledLink],

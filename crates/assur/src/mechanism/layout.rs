@@ -25,6 +25,8 @@ pub(crate) struct Layout {
     /// The step that places each body; None for the frame.
     pub(super) placed_by: List<BodyId, Option<StepId>>,
     pub(super) passive: Option<PassiveLinks>,
+    /// Orientations of the bodies as drawn at first; they show how the wheels are mounted.
+    pub(super) mounted: List<BodyId, Orientation>,
     pub(super) size: f64,
     /// Range of the first driver if it is a slide.
     pub(super) range: Option<[f64; 2]>,
@@ -111,6 +113,7 @@ impl Layout {
             steps: plan.steps,
             placed_by,
             passive: None,
+            mounted: List::default(),
             doubled: resolved.doubled.clone(),
             size: resolved.spec.size(),
             range: plan.range,

@@ -122,6 +122,7 @@ impl Mechanism {
                 if beyond.is_empty() { defects } else { beyond }
             })?,
         };
+        layout.mounted.clone_from(&drawn.orientations);
         Ok(Self {
             layout: Arc::new(layout),
             spec: Arc::new(spec.clone()),

@@ -7,8 +7,8 @@ use crate::numeric::graph::Partition;
 /// Counts the freedoms of a graph with its drivers fixed. Returns the pebbles, three of them free on the ground, and
 /// the parts with surplus constraints.
 ///
-/// # Errors All faults of single pairs and drivers, or else all faults of the count (surplus only if not
-/// `surplus_allowed`).
+/// # Errors
+/// All faults of single pairs and drivers, or else all faults of the count (surplus only if not `surplus_allowed`).
 pub(super) fn check(
     graph: &Graph,
     drivers: &[Driver],

@@ -192,6 +192,7 @@ impl Group {
 
 /// Divides links into bodies. The pairs and drivers between the links of a body leave them no relative motion.
 fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
+    // Two links without relative motion have at least three constraints between them.
     if constraints_between(graph, drivers, links) < BODY {
         return links.iter().map(|link| vec![*link]).collect();
     }
@@ -206,7 +207,7 @@ fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>>
     bodies
 }
 
-/// Number of constraints between links: two links without relative motion have at least three.
+/// Number of constraints between links.
 fn constraints_between(graph: &Graph, drivers: &[Driver], links: &[usize]) -> usize {
     let inside = |link: &&usize| links.contains(link);
     let pairs = graph.pairs.iter().map(|pair| {

@@ -97,7 +97,7 @@ struct Doubling {
 
 impl Resolved<'_> {
     /// Merges doubled links with the bodies that they double. The points of a doubled link are added to the merged
-    /// body. With these points, further links may double this body.
+    /// body. With these points, further links may double this body. Returns the bodies that remain.
     ///
     /// # Errors
     /// A link of undetermined orientation.

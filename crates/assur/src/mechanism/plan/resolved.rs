@@ -83,6 +83,8 @@ impl Driver {
 }
 
 impl<'a> Resolved<'a> {
+    /// Resolves the names of a specification. Returns also its rigid bodies, with doubled links merged.
+    ///
     /// # Errors
     /// The first unknown name or similar defect.
     pub(in crate::mechanism) fn new(spec: &'a LinkageSpec) -> Result<(Self, RigidBodies), Defect> {

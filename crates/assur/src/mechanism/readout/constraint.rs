@@ -4,12 +4,12 @@
 use std::f64::consts::TAU;
 
 use crate::Jet;
-use crate::index::{BodyId, LinkId, List, PointId};
+use crate::index::{BodyId, LinkId, PointId};
 use crate::mechanism::plan::body::Gear;
 use crate::mechanism::plan::resolved;
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::{Layout, Mechanism, Pose};
-use crate::position::{Orientation, conjugate, product};
+use crate::position::{conjugate, product};
 
 /// A link; None for the frame.
 pub type LinkOrFrame = Option<LinkId>;
@@ -77,17 +77,14 @@ impl Sides {
 }
 
 impl Layout {
-    /// Equations in the order of links, slides and gears. The orientations show how the wheels are mounted.
-    pub(in crate::mechanism) fn constraints(
-        &self,
-        orientations: &List<BodyId, Orientation>,
-    ) -> Vec<Constraint> {
+    /// Equations in the order of links, slides and gears.
+    fn constraints(&self) -> Vec<Constraint> {
         let links = self.made_for.iter().flatten();
         let links = links.flat_map(|link| self.distances(*link));
         let slides = self.bodies.slides.iter();
         let slides = slides.flat_map(|slide| self.guided(slide));
         let gears = self.bodies.gears.iter();
-        let gears = gears.map(|gear| self.mesh(gear, orientations));
+        let gears = gears.map(|gear| self.mesh(gear));
         links.chain(slides).chain(gears).collect()
     }
 
@@ -150,10 +147,10 @@ impl Layout {
         ]
     }
 
-    fn mesh(&self, gear: &Gear, orientations: &List<BodyId, Orientation>) -> Constraint {
+    fn mesh(&self, gear: &Gear) -> Constraint {
         let resolved::Gear { links, carrier, .. } = gear.by_link;
         let angle =
-            |link: LinkOrFrame| orientations[self.body_of(link)].angle + self.angle_offset(link);
+            |link: LinkOrFrame| self.mounted[self.body_of(link)].angle + self.angle_offset(link);
         let teeth = gear.signed_teeth();
         let [a, b] = links.map(|link| angle(link) - angle(carrier));
         Constraint {
@@ -171,7 +168,7 @@ impl Mechanism {
     /// Constraint equations: distances that keep each link rigid, two equations for each slide, and one for each pair
     /// of wheels. With hinges alone, there are as many equations as coordinates of moving points, less the mobility.
     pub fn constraints(&self) -> Vec<Constraint> {
-        self.layout.constraints(&self.drawn.orientations)
+        self.layout.constraints()
     }
 
     /// Both sides, in a pose, of an equation (`order` 0) or of its derivative of `order` 1 to `N` − 1 with respect to
