@@ -215,9 +215,12 @@ impl Comparison<'_> {
     }
 
     /// How far two inputs of an end may differ: as far as rounding of the equations moves it, and as
-    /// inputs are told.
+    /// inputs are told. An input without end is no end.
     fn allowed_at(&self, own: f64, other: f64) -> f64 {
         let motion = &self.subject.motion;
+        if !other.is_finite() {
+            return 0.0;
+        }
         let Ok(pose) = motion.pose::<1>(own) else {
             return 0.0;
         };
@@ -309,6 +312,8 @@ impl Comparison<'_> {
         let size = self.subject.equations.size();
         let [_, rate, _] = known.shown.scales(size);
         let condition = known.condition.pose.max(1.0);
+        // An angle of many turns has fewer digits behind the point.
+        let error = error + f64::EPSILON * (known.shown.largest_angle() + shown.largest_angle());
         // Each derivative is solved for by the same matrix once more, of terms with one more rate.
         let allowed = [0, 1, 2].map(|order| {
             let grown = condition.powi(order + 1) * (rate / size).powi(order);
