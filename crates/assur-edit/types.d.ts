@@ -5,12 +5,6 @@ export type End = { "point": string } | { "at": [number, number] } | { "on": [st
 export type Inner = "hinge" | "slide";
 export type Line = { "link": string } | { "toward": [number, number] };
 export type Mend = { "drive": string } | { "release": string } | { "remove": string } | { "fix": string } | { "exact": { 
-/**
- * The point that moves farthest.
- */
-point: string, 
-/**
- * Distance that this point moves.
- */
-by: number, } };
+/** The point that moves farthest. */ point: string, 
+/** Distance that this point moves. */ by: number, } };
 export type Outer = { "hinge": End } | { "slide": [string, [number, number]] } | { "level": [number, number] };

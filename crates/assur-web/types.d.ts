@@ -1,56 +1,28 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { Mend } from "assur/types/edit.js";
-import { KindDocument, LinkageDocument, Only } from "assur/types/file.js";
+import { Document, DocumentOf, Frozen, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from "assur/types/file.js";
+export type Kind = Document["kind"];
+export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: Partial<View>, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
+export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<K>["document"]> : never;
+export type Changed<F = Fields> = { document?: F, input?: number };
+export type Imported = { read: Document, left_out: Problem[] };
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
-/**
- * Visible runs of the curve; each point is x, y in CSS pixels, then the input.
- */
-curve: Array<Array<number>>, };
+/** Visible runs of the curve; each point is x, y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
 export type AssembliesHere = { 
-/**
- * Assemblies in ascending order of their angles.
- */
-all: Array<AssemblyHere>, 
-/**
- * Index of the assembly in which the document moves; none if that assembly has no pose at this input.
- */
-shown: number | null, 
-/**
- * Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
- */
-complex: number | null, 
-/**
- * Whether all assemblies were found.
- */
-whole: boolean, };
+/** Assemblies in ascending order of their angles. */ all: Array<AssemblyHere>, 
+/** Index of the assembly in which the document moves; none if that assembly has no pose at this input. */ shown: number | null, 
+/** Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers. */ complex: number | null, 
+/** Whether all assemblies were found. */ whole: boolean, };
 export type AssemblyHere = { 
-/**
- * Number by which the page shows and chooses the assembly. A mixer has its own numbering.
- */
-number: number, 
-/**
- * Angle that determines the numbering, in [0, 2π).
- */
-angle: number, 
-/**
- * Poses of the bodies, in the format of a frame of the animation.
- */
-bodies: Array<number>, };
+/** Number by which the page shows and chooses the assembly. A mixer has its own numbering. */ number: number, 
+/** Angle that determines the numbering, in [0, 2π). */ angle: number, 
+/** Poses of the bodies, in the format of a frame of the animation. */ bodies: Array<number>, };
 export type AxisLayout = { 
-/**
- * Name of the quantity; none for the input.
- */
-name: string | null, 
-/**
- * For an angle, the number that denotes it, if it has one.
- */
-number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
+/** Name of the quantity; none for the input. */ name: string | null, 
+/** For an angle, the number that denotes it, if it has one. */ number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
 export type Belonging = { 
-/**
- * For each assembly, in the order of their numbers, the index of its branch.
- */
-branches: Array<number>, 
+/** For each assembly, in the order of their numbers, the index of its branch. */ branches: Array<number>, 
 /**
  * For each assembly, indices of the meetings of branches on the way to it from the chosen assembly. Empty if both
  * are on the same branch; null if the assembly cannot be reached.
@@ -59,852 +31,286 @@ reached: Array<Array<number> | null>, };
 export type Between = { min: number, max: number, stroke: number, };
 export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
 export type BranchLine = { 
-/**
- * Index of the branch's circuit.
- */
-circuit: number, 
-/**
- * Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement.
- */
-pieces: Array<Array<number>>, };
+/** Index of the branch's circuit. */ circuit: number, 
+/** Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement. */ pieces: Array<Array<number>>, };
 export type ChangedPair = { pair: string, kind: KindDocument, };
 export type ChartLayout = { panels: Array<PanelLayout>, 
-/**
- * The plot of one quantity against another that replaces the panels, if it is wanted and has enough room.
- */
-against: AgainstLayout | null, };
+/** The plot of one quantity against another that replaces the panels, if it is wanted and has enough room. */ against: AgainstLayout | null, };
 export type ChartRequest = { width: number, height: number, palette: Array<[number, number, number]>, 
-/**
- * Scale of text and lines; 1 for the usual size.
- */
-scale: number, 
-/**
- * Screen pixels per CSS pixel.
- */
-ratio: number, 
-/**
- * Whether curves pass through all their points, for a picture that may be enlarged.
- */
-whole: boolean, 
-/**
- * The plot that takes all the room, if any.
- */
-only: Only, 
-/**
- * The input around which an endless motion is plotted.
- */
-around: number, };
+/** Scale of text and lines; 1 for the usual size. */ scale: number, 
+/** Screen pixels per CSS pixel. */ ratio: number, 
+/** Whether curves pass through all their points, for a picture that may be enlarged. */ whole: boolean, 
+/** The plot that takes all the room, if any. */ only: Only, 
+/** The input around which an endless motion is plotted. */ around: number, };
 export type CircleHere = { point: string, 
-/**
- * Radius with its first two derivatives, with respect to the variable chosen for the axes: input or time.
- */
-radius: [number, number, number] | null, centre: [number, number] | null, reason: import("assur/core/problem.js").Problem | null, };
+/** Radius with its first two derivatives, with respect to the variable chosen for the axes: input or time. */ radius: [number, number, number] | null, centre: [number, number] | null, reason: Problem | null, };
 export type ClassSummary = { freedoms: number, count: number, };
 export type ConditionSummary = { 
-/**
- * Number of the condition in the paper.
- */
-number: number, 
-/**
- * The length that the condition concerns.
- */
-about: string | null, 
-/**
- * The two numbers whose signs are compared; null if a denominator is zero.
- */
-values: [number | null, number | null], 
-/**
- * Whether the condition holds as printed.
- */
-holds: boolean, 
-/**
- * Whether the conclusion of the condition is true.
- */
-truth: boolean, };
+/** Number of the condition in the paper. */ number: number, 
+/** The length that the condition concerns. */ about: string | null, 
+/** The two numbers whose signs are compared; null if a denominator is zero. */ values: [number | null, number | null], 
+/** Whether the condition holds as printed. */ holds: boolean, 
+/** Whether the conclusion of the condition is true. */ truth: boolean, };
 export type CountSummary = { 
-/**
- * Number of moving links, n.
- */
-links: number, 
-/**
- * Numbers Pᵢ of pairs with i freedoms, in the scheme's own space.
- */
-pairs: Array<ClassSummary>, 
-/**
- * Numbers Pᵢ of pairs with i freedoms, in three-dimensional space.
- */
-spatial_pairs: Array<ClassSummary>, planar: number | null, spatial: number, };
+/** Number of moving links, n. */ links: number, 
+/** Numbers Pᵢ of pairs with i freedoms, in the scheme's own space. */ pairs: Array<ClassSummary>, 
+/** Numbers Pᵢ of pairs with i freedoms, in three-dimensional space. */ spatial_pairs: Array<ClassSummary>, planar: number | null, spatial: number, };
 export type CountsSummary = { links: number, lower: number, higher: number, mobility: number, by_count: number, };
 export type CourseSummary = { 
-/**
- * Kind of input: `angle`, `length` or `time`.
- */
-moves: "angle" | "length" | "time", 
-/**
- * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
- */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * Names of choices that plot a group of quantities together.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of the links can be traced.
- */
-traceable: boolean, 
-/**
- * Other kinds of document into which this document can be converted.
- */
-becomes: readonly "scheme"[], };
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
 export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
 export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
-/**
- * Always null: a drawing has no motion.
- */
-moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
-/**
- * Mobility W by count; none if the drawing refers to a part that does not exist.
- */
-mobility: number | null, drivers: number, 
-/**
- * Every reason why the drawing does not move.
- */
-reasons: readonly import("assur/core/problem.js").Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
+/** Always null: a drawing has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
+/** Mobility W by count; none if the drawing refers to a part that does not exist. */ mobility: number | null, drivers: number, 
+/** Every reason why the drawing does not move. */ reasons: readonly Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
+export type Drawn = { 
+/** The point that was added last. */ point: string | null, 
+/** The link that was added last. */ link: string | null, 
+/** Whether locked lengths or angles kept the edit from reaching its target. */ held: boolean, };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
 export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
 export type FamilySummary = { 
-/**
- * Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); null if there is none.
- */
-lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
-/**
- * Range of the coupler's angle in each position, radians.
- */
-couplers: [[number, number], [number, number]], curve: FamilyCurve, 
-/**
- * l₁, l₂, l₃ at each change of the Grashof type.
- */
-changes: Array<[number, number, number]>, };
+/** Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); null if there is none. */ lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
+/** Range of the coupler's angle in each position, radians. */ couplers: [[number, number], [number, number]], curve: FamilyCurve, 
+/** l₁, l₂, l₃ at each change of the Grashof type. */ changes: Array<[number, number, number]>, };
 export type FoundHere = { name: string, rates: [number, number], };
 export type FoundSummary = { 
-/**
- * Number of starting points.
- */
-starts: number, 
-/**
- * Number of starts that ended in the solution shown first.
- */
-best: number, 
-/**
- * l₂ and l₃ along the path from each start.
- */
-paths: Array<Array<[number, number]>>, 
-/**
- * Decimal logarithm of ΣJ over l₂ and l₃.
- */
-sum: PlaneSummary, };
+/** Number of starting points. */ starts: number, 
+/** Number of starts that ended in the solution shown first. */ best: number, 
+/** l₂ and l₃ along the path from each start. */ paths: Array<Array<[number, number]>>, 
+/** Decimal logarithm of ΣJ over l₂ and l₃. */ sum: PlaneSummary, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
 export type FunctionSummary = { 
-/**
- * Values of x at equal steps, each with the error of y; null if the linkage does not reach x.
- */
-curve: Array<[number, number | null]>, 
-/**
- * Value of x with the greatest error, and this error; none if the linkage reaches no part of the interval.
- */
-greatest: [number, number] | null, 
-/**
- * Whether the linkage covers the whole interval without a break.
- */
-complete: boolean, };
+/** Values of x at equal steps, each with the error of y; null if the linkage does not reach x. */ curve: Array<[number, number | null]>, 
+/** Value of x with the greatest error, and this error; none if the linkage reaches no part of the interval. */ greatest: [number, number] | null, 
+/** Whether the linkage covers the whole interval without a break. */ complete: boolean, };
 export type GearTrainSummary = { bounds: [number, number, number, number], roles: { [key in string]: string }, 
-/**
- * The shaft that is not driven.
- */
-free: string, speeds: BodyNumbers, 
-/**
- * Weights a and b in Willis's equation, a ω₁ + b ω₄ = (a + b) ω₃.
- */
-weights: [number, number], ratios: Array<RatioSummary>, identities: Array<IdentitySummary>, conditions: Array<TrainConditionSummary>, 
-/**
- * Whether all conditions are met.
- */
-builds: boolean, 
-/**
- * Similar trains that can be built, if this one cannot.
- */
-suggestions: Array<SuggestionSummary>, 
-/**
- * Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number.
- */
-in_contact: number | null, mobility: MobilitySummary, 
-/**
- * Gaps between the magnets at sun and ring, mm.
- */
-gaps: [number, number] | null, axis_distance: number, 
-/**
- * Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s.
- */
-velocities: VelocitySummary | null, 
-/**
- * External torques on the shafts, neglecting losses, as multiples of the torque on the sun.
- */
-torques: ShaftNumbers, 
-/**
- * Power that each shaft takes in.
- */
-powers: ShaftNumbers, 
-/**
- * Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held.
- */
-limits: BodyNumbers | null, 
-/**
- * Natural frequencies of the meshes with sun and ring, Hz.
- */
-swings: [number, number] | null, 
-/**
- * The greatest torque of the load, and its upper limit, N·m.
- */
-load: PullSummary | null, 
-/**
- * Slips of the meshes with sun and ring at the end of a run, in periods of the field.
- */
-slips: [number, number] | null, halt: HaltSummary | null, 
-/**
- * Kind of input: `angle`, `length` or `time`.
- */
-moves: "angle" | "length" | "time", 
-/**
- * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
- */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * Names of choices that plot a group of quantities together.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of the links can be traced.
- */
-traceable: boolean, 
-/**
- * Other kinds of document into which this document can be converted.
- */
-becomes: readonly "scheme"[], };
+/** The shaft that is not driven. */ free: string, speeds: BodyNumbers, 
+/** Weights a and b in Willis's equation, a ω₁ + b ω₄ = (a + b) ω₃. */ weights: [number, number], ratios: Array<RatioSummary>, identities: Array<IdentitySummary>, conditions: Array<TrainConditionSummary>, 
+/** Whether all conditions are met. */ builds: boolean, 
+/** Similar trains that can be built, if this one cannot. */ suggestions: Array<SuggestionSummary>, 
+/** Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number. */ in_contact: number | null, mobility: MobilitySummary, 
+/** Gaps between the magnets at sun and ring, mm. */ gaps: [number, number] | null, axis_distance: number, 
+/** Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s. */ velocities: VelocitySummary | null, 
+/** External torques on the shafts, neglecting losses, as multiples of the torque on the sun. */ torques: ShaftNumbers, 
+/** Power that each shaft takes in. */ powers: ShaftNumbers, 
+/** Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held. */ limits: BodyNumbers | null, 
+/** Natural frequencies of the meshes with sun and ring, Hz. */ swings: [number, number] | null, 
+/** The greatest torque of the load, and its upper limit, N·m. */ load: PullSummary | null, 
+/** Slips of the meshes with sun and ring at the end of a run, in periods of the field. */ slips: [number, number] | null, halt: HaltSummary | null, 
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
 export type GroupSummary = { term: string, role: string, };
 export type HaltSummary = { body: string, time: number, };
 export type HandleSummary = { name: string, role: string, 
-/**
- * Whether pressing the handle without a drag has an effect.
- */
-pressed: boolean, };
+/** Whether pressing the handle without a drag has an effect. */ pressed: boolean, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
-export type InflectionHere = { link: string, diameter: number | null, reason: import("assur/core/problem.js").Problem | null, };
+export type InflectionHere = { link: string, diameter: number | null, reason: Problem | null, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
-/**
- * W in a nearby pose, if one was found.
- */
-generic: number | null, 
-/**
- * Whether the scheme moves only for an instant: W is not 0, but there is no nearby pose.
- */
-instantaneous: boolean, };
+/** W in a nearby pose, if one was found. */ generic: number | null, 
+/** Whether the scheme moves only for an instant: W is not 0, but there is no nearby pose. */ instantaneous: boolean, };
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
-/**
- * Whether the length of the vector is known before the point is found.
- */
-known: boolean, };
+/** Whether the length of the vector is known before the point is found. */ known: boolean, };
 export type LimitSummary = { input: number, value: number, };
 export type LinkHere = { link: string, 
-/**
- * Distance of the link from the place, in the unit of the lengths.
- */
-off: number, 
-/**
- * The wheel at the place, if there is one; a ring counts only at its rim.
- */
-wheel: string | null, };
+/** Distance of the link from the place, in the unit of the lengths. */ off: number, 
+/** The wheel at the place, if there is one; a ring counts only at its rim. */ wheel: string | null, };
 export type LinkageSummary = { dimensions: Array<DimensionSummary>, 
-/**
- * Links that can drive the linkage, by rotating or sliding.
- */
-drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
-/**
- * Kind of input: `angle`, `length` or `time`.
- */
-moves: "angle" | "length" | "time", 
-/**
- * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
- */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * Names of choices that plot a group of quantities together.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of the links can be traced.
- */
-traceable: boolean, 
-/**
- * Other kinds of document into which this document can be converted.
- */
-becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Passive wheels, whose meshes repeat what other meshes do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; not listed if there are passive wheels.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** Links that can drive the linkage, by rotating or sliding. */ drivers: Array<string>, rates: Array<RateSummary>, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type ListedSummary = { name: string, 
-/**
- * `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`.
- */
-what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
-/**
- * The subscript in the symbol of the read-out, if the read-out is an angle.
- */
-number: string | null, role: string, };
+/** `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`. */ what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
+/** The subscript in the symbol of the read-out, if the read-out is an angle. */ number: string | null, role: string, };
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
 export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
 export type MendedSummary = { list: Array<Array<ChangedPair>>, 
-/**
- * Whether the list is complete.
- */
-complete: boolean, };
+/** Whether the list is complete. */ complete: boolean, };
 export type MixerSummary = { 
-/**
- * Speed ratios of the peripheral wheels to the rocker.
- */
-ratios: Array<number>, 
-/**
- * Pairs of peripheral wheels that would overlap.
- */
-overlaps: Array<[number, number]>, 
-/**
- * Direction from wheel 4 in which another wheel has the most room, radians.
- */
-free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
-/**
- * Kind of input: `angle`, `length` or `time`.
- */
-moves: "angle" | "length" | "time", 
-/**
- * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
- */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * Names of choices that plot a group of quantities together.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of the links can be traced.
- */
-traceable: boolean, 
-/**
- * Other kinds of document into which this document can be converted.
- */
-becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Passive wheels, whose meshes repeat what other meshes do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; not listed if there are passive wheels.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** Speed ratios of the peripheral wheels to the rocker. */ ratios: Array<number>, 
+/** Pairs of peripheral wheels that would overlap. */ overlaps: Array<[number, number]>, 
+/** Direction from wheel 4 in which another wheel has the most room, radians. */ free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
 export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
-/**
- * Kind of input: `angle`, `length` or `time`.
- */
-moves: "angle" | "length" | "time", 
-/**
- * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
- */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * Names of choices that plot a group of quantities together.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of the links can be traced.
- */
-traceable: boolean, 
-/**
- * Other kinds of document into which this document can be converted.
- */
-becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Passive wheels, whose meshes repeat what other meshes do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; not listed if there are passive wheels.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
-/**
- * Name of the link whose angle numbers the assemblies.
- */
-output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
-/**
- * Whether all branches were found and each was followed to its ends.
- */
-whole: boolean, };
+/** Name of the link whose angle numbers the assemblies. */ output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
+/** Whether all branches were found and each was followed to its ends. */ whole: boolean, };
 export type Movement = { field: string, by: number, };
 export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
 export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
-/**
- * Names of the possible cuts of this pair: one cut, or one for each link of a compound hinge.
- */
-cuts: Array<string>, };
+/** Names of the possible cuts of this pair: one cut, or one for each link of a compound hinge. */ cuts: Array<string>, };
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
 export type PlaneSummary = { 
-/**
- * Minimum and maximum, the same for both lengths.
- */
-bounds: [number, number], values: Array<Array<number>>, };
+/** Minimum and maximum, the same for both lengths. */ bounds: [number, number], values: Array<Array<number>>, };
 export type PolygonPictureHere = { 
-/**
- * Display list.
- */
-list: Array<number>, 
-/**
- * Names to which the labels of the list refer.
- */
-names: Array<string>, 
-/**
- * Left, bottom, right, top.
- */
-bounds: [number, number, number, number], 
-/**
- * Length of the scale bar.
- */
-bar: number, 
-/**
- * Usual scale of the motion divided by the scale of this picture; 1 if the polygon fits at the usual scale.
- */
-smaller: number, };
+/** Display list. */ list: Array<number>, 
+/** Names to which the labels of the list refer. */ names: Array<string>, 
+/** Left, bottom, right, top. */ bounds: [number, number, number, number], 
+/** Length of the scale bar. */ bar: number, 
+/** Usual scale of the motion divided by the scale of this picture; 1 if the polygon fits at the usual scale. */ smaller: number, };
 export type PolygonStepHere = { 
-/**
- * Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad.
- */
-kind: "pole" | "equation" | "image" | "group", 
-/**
- * The unknown point of the equation.
- */
-target?: string | null, 
-/**
- * The reference point of the equation.
- */
-from?: string | null, 
-/**
- * Number of the link with both points or, for a slide, with the line; 0 for the frame.
- */
-link?: string | null, 
-/**
- * Terms of the sum in the equation for the velocity, and in the equation for the acceleration.
- */
-legs: [Array<LegHere>, Array<LegHere>], 
-/**
- * The points found by this step, each with the magnitudes of its velocity and acceleration.
- */
-found: Array<FoundHere>, };
+/** Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad. */ kind: "pole" | "equation" | "image" | "group", 
+/** The unknown point of the equation. */ target?: string | null, 
+/** The reference point of the equation. */ from?: string | null, 
+/** Number of the link with both points or, for a slide, with the line; 0 for the frame. */ link?: string | null, 
+/** Terms of the sum in the equation for the velocity, and in the equation for the acceleration. */ legs: [Array<LegHere>, Array<LegHere>], 
+/** The points found by this step, each with the magnitudes of its velocity and acceleration. */ found: Array<FoundHere>, };
 export type PolygonsHere = { 
-/**
- * Steps of the construction, the same for both polygons.
- */
-steps: Array<PolygonStepHere>, 
-/**
- * Pictures of the velocity and acceleration polygons, drawn up to the requested step.
- */
-pictures: [PolygonPictureHere, PolygonPictureHere], };
+/** Steps of the construction, the same for both polygons. */ steps: Array<PolygonStepHere>, 
+/** Pictures of the velocity and acceleration polygons, drawn up to the requested step. */ pictures: [PolygonPictureHere, PolygonPictureHere], };
 export type PrintedSummary = { 
-/**
- * Lengths l₁ (coupler), l₂ (output) and l₃ (input).
- */
-lengths: [number, number, number], 
-/**
- * ΣJ of these lengths; dimensionless, since J is computed from zᵢ = lᵢ/l₀.
- */
-least: number, 
-/**
- * ΣJ of the drawn linkage.
- */
-drawn: number, };
+/** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
+/** ΣJ of these lengths; dimensionless, since J is computed from zᵢ = lᵢ/l₀. */ least: number, 
+/** ΣJ of the drawn linkage. */ drawn: number, };
 export type ProfileSummary = { 
-/**
- * Width of the band, degrees or in the unit of the lengths.
- */
-width: number, 
-/**
- * Stroke from minimum to maximum; none if the output keeps rotating.
- */
-stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
+/** Width of the band, degrees or in the unit of the lengths. */ width: number, 
+/** Stroke from minimum to maximum; none if the output keeps rotating. */ stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
 export type PullSummary = { value: number, max: number, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
 export type RatioSummary = { name: string, of: number, to: number, held: number, numerator: number, denominator: number, value: number, 
-/**
- * Whether this is the largest positive ratio.
- */
-largest: boolean, };
+/** Whether this is the largest positive ratio. */ largest: boolean, };
 export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };
 export type RedundancySummary = { count: number, pairs: Array<string>, };
 export type RelationHere = { item: string, name: string, 
-/**
- * Whether the value is an angle, in radians.
- */
-angle: boolean, 
-/**
- * Whether the value is an angle of rotation, in which whole turns count.
- */
-turned: boolean, 
-/**
- * Whether the value is a count, which is a whole number.
- */
-count: boolean, value: number, 
-/**
- * The value given by the relation as printed; none if that divides by zero.
- */
-printed: number | null, };
+/** Whether the value is an angle, in radians. */ angle: boolean, 
+/** Whether the value is an angle of rotation, in which whole turns count. */ turned: boolean, 
+/** Whether the value is a count, which is a whole number. */ count: boolean, value: number, 
+/** The value given by the relation as printed; none if that divides by zero. */ printed: number | null, };
 export type SchemeSummary = { 
-/**
- * Always null: a scheme has no motion.
- */
-moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
-/**
- * Names of the links, the ground first.
- */
-links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
-/**
- * Redundant constraints q by equation (6) of the mobility paper, if it applies.
- */
-redundant_by_plane: number | null, 
-/**
- * The result of the cuts, if they open every contour.
- */
-sections: SectionsSummary | null, 
-/**
- * The pairs of a contour that is still closed after the cuts.
- */
-closed: Array<string>, 
-/**
- * Links that the cuts disconnect.
- */
-apart: Array<string>, 
-/**
- * Cuts that open every contour.
- */
-automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
-/**
- * The first pair that lacks data needed for the rank.
- */
-missing: string | null, mended: MendedSummary | null, };
+/** Always null: a scheme has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
+/** Names of the links, the ground first. */ links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
+/** Redundant constraints q by equation (6) of the mobility paper, if it applies. */ redundant_by_plane: number | null, 
+/** The result of the cuts, if they open every contour. */ sections: SectionsSummary | null, 
+/** The pairs of a contour that is still closed after the cuts. */ closed: Array<string>, 
+/** Links that the cuts disconnect. */ apart: Array<string>, 
+/** Cuts that open every contour. */ automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
+/** The first pair that lacks data needed for the rank. */ missing: string | null, mended: MendedSummary | null, };
 export type SectionsSummary = { cuts: Array<string>, 
-/**
- * Numbers Pᵢ of remaining pairs with i freedoms.
- */
-left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
+/** Numbers Pᵢ of remaining pairs with i freedoms. */ left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type SeriesLayout = { name: string, 
-/**
- * For an angle, the number that denotes it, if it has one.
- */
-number: string | null, role: string, 
-/**
- * The value of the curve, if it is constant.
- */
-level: number | null, };
+/** For an angle, the number that denotes it, if it has one. */ number: string | null, role: string, 
+/** The value of the curve, if it is constant. */ level: number | null, };
 export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
 export type SolutionSummary = { 
-/**
- * Lengths l₁ (coupler), l₂ (output) and l₃ (input).
- */
-lengths: [number, number, number], 
-/**
- * Starting angles φ₂₀ of the output and φ₃₀ of the input, radians.
- */
-starts: [number, number], 
-/**
- * The greatest gap at the coupler over all positions.
- */
-gap: number, 
-/**
- * Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
- */
-sum: number, 
-/**
- * Maximum error of the output angle, radians; none if a position is not reached.
- */
-output_error: number | null, 
-/**
- * Whether a length is at a bound of the search.
- */
-at_bound: boolean, verdict: VerdictSummary | null, };
+/** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
+/** Starting angles φ₂₀ of the output and φ₃₀ of the input, radians. */ starts: [number, number], 
+/** The greatest gap at the coupler over all positions. */ gap: number, 
+/** Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths. */ sum: number, 
+/** Maximum error of the output angle, radians; none if a position is not reached. */ output_error: number | null, 
+/** Whether a length is at a bound of the search. */ at_bound: boolean, verdict: VerdictSummary | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Passive wheels, whose meshes repeat what other meshes do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; not listed if there are passive wheels.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
 export type SweepColumn = { 
-/**
- * Name of the column, as in all tables: `rocker.dangle`.
- */
-name: string, 
-/**
- * Kind, subject and order of the quantity; none if the name is sufficient.
- */
-quantity: SweepQuantity | null, };
+/** Name of the column, as in all tables: `rocker.dangle`. */ name: string, 
+/** Kind, subject and order of the quantity; none if the name is sufficient. */ quantity: SweepQuantity | null, };
 export type SweepDimension = { kind: "length" | "x" | "y", 
-/**
- * Names of the two points, as in `A-B`, or of the single point.
- */
-of: string, value: number, };
+/** Names of the two points, as in `A-B`, or of the single point. */ of: string, value: number, };
 export type SweepQuantity = { kind: "angle" | "x" | "y" | "distance" | "corner" | "between" | "transmission" | "pressure" | "radius" | "centre_x" | "centre_y", of: string, order: number, };
 export type SweepRow = { 
-/**
- * Input of the row: degrees for a crank, seconds for a gear train, otherwise in the unit of the lengths.
- */
-input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
+/** Input of the row: degrees for a crank, seconds for a gear train, otherwise in the unit of the lengths. */ input: number, values: Array<number | null>, reason: { readonly code: string } | null, };
 export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
-/**
- * Table of the compared mechanism at the same inputs.
- */
-compared: SweepTable | null, };
+/** Table of the compared mechanism at the same inputs. */ compared: SweepTable | null, };
 export type SynthesisSummary = { 
-/**
- * Source of the solutions.
- */
-from: "family" | "exact" | "found" | "trial", 
-/**
- * The numbered solutions, in numerical order.
- */
-solutions: Array<SolutionSummary>, 
-/**
- * Numbers of the solutions, from 1, in the order in which they are shown.
- */
-shown: Array<number>, 
-/**
- * Whether the output's angles were probably given in the direction from D to C, and so are off by 180°.
- */
-turned: boolean, 
-/**
- * Number of the drawn solution, from 1.
- */
-number: number | null, drawn: SolutionSummary, 
-/**
- * Length of the frame, l₀.
- */
-frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
-/**
- * Number of positions that can be closed, over l₁ (coupler) and l₂ (output).
- */
-closed: PlaneSummary, 
-/**
- * Result of the paper's method, if the document gives every coupler angle.
- */
-printed: PrintedSummary | null, 
-/**
- * Result of Levitsky's quadratic approximation.
- */
-weighted: WeightedSummary | null, 
-/**
- * Error of the drawn linkage against the wanted function, if the document has one.
- */
-function: FunctionSummary | null, 
-/**
- * The drawn solution, as a linkage for the simulator.
- */
-linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
-/**
- * Kind of input: `angle`, `length` or `time`.
- */
-moves: "angle" | "length" | "time", 
-/**
- * The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time.
- */
-input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
-/**
- * The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
- */
-unsearched: UnsearchedSummary | null, 
-/**
- * Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
- */
-numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/**
- * Names of choices that plot a group of quantities together.
- */
-overviews: Array<string>, plotted: Array<string>, 
-/**
- * Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
- */
-curves: Array<string>, handles: Array<HandleSummary>, 
-/**
- * Whether points of the links can be traced.
- */
-traceable: boolean, 
-/**
- * Other kinds of document into which this document can be converted.
- */
-becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/**
- * Passive wheels, whose meshes repeat what other meshes do.
- */
-passive: Array<string>, 
-/**
- * The pairs with a redundant constraint; not listed if there are passive wheels.
- */
-redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** Source of the solutions. */ from: "family" | "exact" | "found" | "trial", 
+/** The numbered solutions, in numerical order. */ solutions: Array<SolutionSummary>, 
+/** Numbers of the solutions, from 1, in the order in which they are shown. */ shown: Array<number>, 
+/** Whether the output's angles were probably given in the direction from D to C, and so are off by 180°. */ turned: boolean, 
+/** Number of the drawn solution, from 1. */ number: number | null, drawn: SolutionSummary, 
+/** Length of the frame, l₀. */ frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
+/** Number of positions that can be closed, over l₁ (coupler) and l₂ (output). */ closed: PlaneSummary, 
+/** Result of the paper's method, if the document gives every coupler angle. */ printed: PrintedSummary | null, 
+/** Result of Levitsky's quadratic approximation. */ weighted: WeightedSummary | null, 
+/** Error of the drawn linkage against the wanted function, if the document has one. */ function: FunctionSummary | null, 
+/** The drawn solution, as a linkage for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument }, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
 export type TickLayout = { value: number, at: number, };
 export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
-/**
- * Whether gears with profile shift could still meet the condition.
- */
-shifted: boolean, };
+/** Whether gears with profile shift could still meet the condition. */ shifted: boolean, };
 export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number | null, input: number | null, };
 export type UnsearchedSummary = { turns: number, most: number, };
 export type VelocitySummary = { sun: [number, number], centre: [number, number], ring: [number, number], instantaneous_centre: number | null, };
 export type VerdictSummary = { passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", grashof: string, turns: boolean, 
-/**
- * Minimum transmission angle over the whole motion, radians.
- */
-transmission: number, transmission_between: number | null, size_ratio: number, };
+/** Minimum transmission angle over the whole motion, radians. */ transmission: number, transmission_between: number | null, size_ratio: number, };
 export type WantedSummary = { 
-/**
- * Angle φ₂ of the output, including its starting angle, radians.
- */
-output: number, 
-/**
- * Angle φ₃ of the input, including its starting angle, radians.
- */
-input: number, 
-/**
- * Angle φ₁ of the coupler of the drawn linkage, radians.
- */
-coupler: number, 
-/**
- * Gap of the contour at the coupler.
- */
-error: number, 
-/**
- * Terms of the main equation: e₂·e₃, Z, e₀·e₂/z₃, e₀·e₃/z₂, with eᵢ the unit vectors of the links and zᵢ = lᵢ/l₀.
- */
-equation: [number, number, number, number], 
-/**
- * Coupler angle φ₁ at which the conditions are evaluated, radians.
- */
-at: number, 
-/**
- * Gap of the contour at the coupler angle `at`.
- */
-open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
-/**
- * The condition omitted by theorem 5.
- */
-pair: LeftOutSummary | null, 
+/** Angle φ₂ of the output, including its starting angle, radians. */ output: number, 
+/** Angle φ₃ of the input, including its starting angle, radians. */ input: number, 
+/** Angle φ₁ of the coupler of the drawn linkage, radians. */ coupler: number, 
+/** Gap of the contour at the coupler. */ error: number, 
+/** Terms of the main equation: e₂·e₃, Z, e₀·e₂/z₃, e₀·e₃/z₂, with eᵢ the unit vectors of the links and zᵢ = lᵢ/l₀. */ equation: [number, number, number, number], 
+/** Coupler angle φ₁ at which the conditions are evaluated, radians. */ at: number, 
+/** Gap of the contour at the coupler angle `at`. */ open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
+/** The condition omitted by theorem 5. */ pair: LeftOutSummary | null, 
 /**
  * The range of l₁ in which l₂ is positive, and that in which l₃ is; null if condition (13) fails. A null range is
  * empty; a null maximum means no limit.
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
-/**
- * Range of l₁ for which all lengths are positive, null if empty; its ends are equal if only one l₁ is possible.
- */
-interval: [number, number | null] | null, };
+/** Range of l₁ for which all lengths are positive, null if empty; its ends are equal if only one l₁ is possible. */ interval: [number, number | null] | null, };
 export type WeightedSummary = { 
-/**
- * Lengths l₁ (coupler), l₂ (output) and l₃ (input).
- */
-lengths: [number, number, number], 
-/**
- * ΣJ of these lengths with the best coupler angles; dimensionless.
- */
-sum: number, 
-/**
- * ΣJ of the drawn linkage.
- */
-drawn: number, };
+/** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
+/** ΣJ of these lengths with the best coupler angles; dimensionless. */ sum: number, 
+/** ΣJ of the drawn linkage. */ drawn: number, };
 export type Wishes = { 
-/**
- * Minimum arc of the crank over which the output dwells, radians.
- */
-arc: number, 
-/**
- * Stroke of the output, from minimum to maximum: radians, or in the unit of the lengths.
- */
-stroke: number, movable: Array<Movement>, };
+/** Minimum arc of the crank over which the output dwells, radians. */ arc: number, 
+/** Stroke of the output, from minimum to maximum: radians, or in the unit of the lengths. */ stroke: number, movable: Array<Movement>, };

@@ -15,12 +15,26 @@ impl TypeVisitor for Declarations {
     fn visit<T: TS + 'static + ?Sized>(&mut self) {
         if T::output_path().is_some() {
             let declaration = format!("export {}\n", T::decl(&self.config));
+            let declaration = on_one_line(&declaration);
             let name = T::ident(&self.config);
             if self.by_name.insert(name, declaration).is_none() {
                 T::visit_dependencies(self);
             }
         }
     }
+}
+
+/// Writes each comment of one line, and the field that it describes, on one line.
+fn on_one_line(declaration: &str) -> String {
+    let mut comments = declaration.split("/**\n * ");
+    let mut text = comments.next().unwrap_or_default().to_owned();
+    for comment in comments {
+        match comment.split_once("\n */\n") {
+            Some((line, rest)) if !line.contains('\n') => text += &format!("/** {line} */ {rest}"),
+            _ => text += &format!("/**\n * {comment}"),
+        }
+    }
+    text
 }
 
 /// Compares the file `types.d.ts` of a crate with the declarations of a tuple of types, after these lines; writes it

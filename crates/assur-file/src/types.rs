@@ -9,9 +9,16 @@ use crate::{
     Shelf, View,
 };
 
+/// A problem of input, a value that is never changed in place, and a document of given kinds.
+const HEAD: &str = "\
+export type Problem = { readonly code: string, readonly field?: string, readonly [parameter: string]: string | number | undefined };
+export type Frozen<T> = T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T;
+export type DocumentOf<K extends Document[\"kind\"]> = Extract<Document, { kind: K }>;
+";
+
 #[test]
 fn the_scripts_know_what_is_saved() {
     type Saved = (View, Document, LessonDocument, PictureDocument, LengthUnit);
     type Shown = (NumberField, Preset, Shelf, GalleryCategory, MeshDocument);
-    assert_declared::<(Saved, Shown)>(env!("CARGO_MANIFEST_DIR"), "");
+    assert_declared::<(Saved, Shown)>(env!("CARGO_MANIFEST_DIR"), HEAD);
 }

@@ -144,7 +144,9 @@ impl AllMotions {
     /// # Errors
     /// Every problem of the state; a document that is not a moving linkage.
     #[wasm_bindgen(constructor)]
-    pub fn new(state: JsValue) -> Result<Self, JsValue> {
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,
+    ) -> Result<Self, JsValue> {
         let document = open(&read(&state)?).map_err(thrown)?;
         let none = || one(bad("", "no linkage moves"));
         let moving = document.linkage().ok_or_else(none)?;
@@ -155,6 +157,7 @@ impl AllMotions {
 
     /// Returns the map of all branches: `{output, branches: [{circuit, pieces}], meetings: [{kind, branches, input,
     /// output}], circuits, whole}`.
+    #[wasm_bindgen(unchecked_return_type = "MotionsMap")]
     pub fn map(&self) -> JsValue {
         let Some(moving) = self.document.linkage() else {
             return JsValue::NULL;
@@ -179,6 +182,7 @@ impl AllMotions {
 
     /// Returns the branches of the assemblies at an input, and the way to each assembly from the one with index
     /// `number`: `{branches, reached}`.
+    #[wasm_bindgen(unchecked_return_type = "Belonging")]
     pub fn belonging(&self, input: f64, number: usize) -> JsValue {
         let branches = self.branches_at(input).unwrap_or_default();
         let reached = branches.iter().map(|to| {

@@ -23,7 +23,7 @@ pub(crate) struct CircleHere<'a> {
     /// Radius with its first two derivatives, with respect to the variable chosen for the axes: input or time.
     radius: Option<[f64; 3]>,
     centre: Option<[f64; 2]>,
-    #[cfg_attr(test, ts(type = "import(\"assur/core/problem.js\").Problem | null"))]
+    #[cfg_attr(test, ts(type = "Problem | null"))]
     reason: Option<Problem>,
 }
 
@@ -33,7 +33,7 @@ pub(crate) struct CircleHere<'a> {
 pub(crate) struct InflectionHere<'a> {
     link: &'a str,
     diameter: Option<f64>,
-    #[cfg_attr(test, ts(type = "import(\"assur/core/problem.js\").Problem | null"))]
+    #[cfg_attr(test, ts(type = "Problem | null"))]
     reason: Option<Problem>,
 }
 

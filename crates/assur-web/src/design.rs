@@ -72,7 +72,10 @@ impl Design {
     /// # Errors
     /// Every problem of the state; if it has none, the first problem of the wishes.
     #[wasm_bindgen(constructor)]
-    pub fn new(state: JsValue, wishes: JsValue) -> Result<Self, JsValue> {
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Wishes")] wishes: JsValue,
+    ) -> Result<Self, JsValue> {
         let state = read(&state)?;
         // JSON would refuse a number that is not finite, which the search names itself.
         let wishes: Wishes = serde_wasm_bindgen::from_value(wishes).map_err(|error| {
@@ -87,6 +90,7 @@ impl Design {
     /// Evaluates the next mechanism: `{judged, accepted, before, reached: {arc, stroke, residual, singularity_margin},
     /// end, document}`. `before` is the residual at the start; `reached` describes the best mechanism so far. `end` is
     /// `fulfilled`, `settled` or null. `document` has the changed fields, if the mechanism was accepted.
+    #[wasm_bindgen(unchecked_return_type = "StepSummary")]
     pub fn step(&mut self) -> JsValue {
         let Progress {
             judged,

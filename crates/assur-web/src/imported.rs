@@ -26,7 +26,7 @@ pub fn is_import(text: &str) -> bool {
 ///
 /// # Errors
 /// The part that cannot be read.
-#[wasm_bindgen(js_name = readImport)]
+#[wasm_bindgen(js_name = readImport, unchecked_return_type = "Imported")]
 pub fn read_import(text: &str) -> Result<JsValue, JsValue> {
     let read = assur_import::read(text).map_err(|problem| to_js(&[problem]))?;
     let Imported { document, left_out } = read;

@@ -43,6 +43,20 @@ mod thin;
 #[cfg(test)]
 mod types;
 
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Types of the parameters and results, declared in the `types.d.ts` of the crates.
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+import type { Edit } from "assur/types/edit.js";
+import type { DocumentOf, LengthUnit, LessonDocument, LinkageDocument, NumberField, PositionDocument, Preset, Problem, Shelf, View } from "assur/types/file.js";
+import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, Drawn, Fields, Imported, Kind, LinkHere, MotionsMap, PolygonsHere, RelationHere, State, StepSummary, Summaries, SweepTable, Wishes } from "assur/types/web.js";
+export interface Simulator {
+    set<K extends Kind>(state: State<K>): Summaries[K];
+    asKind<K extends Kind>(kind: K, input: number): DocumentOf<K>;
+}
+"#;
+
 pub use assemblies::AllMotions;
 pub use design::Design;
 pub use imported::{is_import, read_import};

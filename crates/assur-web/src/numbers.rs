@@ -8,8 +8,10 @@ use crate::convert::{read, thrown, to_js};
 ///
 /// # Errors
 /// A malformed state; every problem that prevents the list.
-#[wasm_bindgen(js_name = numbersOf)]
-pub fn numbers_of(state: JsValue) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = numbersOf, unchecked_return_type = "NumberField[]")]
+pub fn numbers_of(
+    #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,
+) -> Result<JsValue, JsValue> {
     let numbers = read(&state)?.document.numbers();
     Ok(to_js(&numbers.map_err(thrown)?))
 }

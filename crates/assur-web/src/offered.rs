@@ -9,13 +9,13 @@ use crate::convert::{read, thrown, to_js};
 use crate::kinds::scheme_task;
 
 /// A task for practice, by its number: `{kind, document}`.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "DocumentOf<\"scheme\">")]
 pub fn task(number: u32) -> JsValue {
     to_js(&Document::Scheme(scheme_task(number)))
 }
 
 /// An empty sheet to draw on: `{kind, document}`.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "DocumentOf<\"draft\">")]
 pub fn blank() -> JsValue {
     to_js(&Document::Draft(DraftDocument::default()))
 }
@@ -24,7 +24,7 @@ pub fn blank() -> JsValue {
 ///
 /// # Errors
 /// The problems of a mechanism; a test ensures that there are none.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
 pub fn catalogue() -> Result<JsValue, JsValue> {
     let all: Result<Vec<Preset>, _> = assur_file::presets().collect();
     Ok(to_js(&all.map_err(thrown)?))
@@ -34,7 +34,7 @@ pub fn catalogue() -> Result<JsValue, JsValue> {
 ///
 /// # Errors
 /// The problems of a mechanism; a test ensures that there are none.
-#[wasm_bindgen]
+#[wasm_bindgen(unchecked_return_type = "Shelf[]")]
 pub fn shelves() -> Result<JsValue, JsValue> {
     let all: Result<Vec<Shelf>, _> = assur_file::shelves().collect();
     Ok(to_js(&all.map_err(thrown)?))
@@ -50,8 +50,12 @@ pub fn role_names() -> Vec<String> {
 ///
 /// # Errors
 /// The problems of the function, or a state without one.
-#[wasm_bindgen(js_name = functionPositions)]
-pub fn function_positions(state: &JsValue, count: usize, even: bool) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = functionPositions, unchecked_return_type = "PositionDocument[]")]
+pub fn function_positions(
+    #[wasm_bindgen(unchecked_param_type = "State")] state: &JsValue,
+    count: usize,
+    even: bool,
+) -> Result<JsValue, JsValue> {
     let function = match read(state)?.document {
         Document::Synthesis(document) => document.function,
         _ => None,

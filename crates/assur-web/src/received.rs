@@ -11,8 +11,10 @@ use crate::kinds::open;
 ///
 /// # Errors
 /// Every problem of the state.
-#[wasm_bindgen(js_name = readState)]
-pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = readState, unchecked_return_type = "State & { view: View }")]
+pub fn read_state(
+    #[wasm_bindgen(unchecked_param_type = "unknown")] state: JsValue,
+) -> Result<JsValue, JsValue> {
     let state = read(&state)?;
     open(&state).map_err(thrown)?;
     if let Some(document) = &state.compared {
@@ -37,8 +39,10 @@ pub fn read_state(state: JsValue) -> Result<JsValue, JsValue> {
 ///
 /// # Errors
 /// Every problem of the lesson.
-#[wasm_bindgen(js_name = readLesson)]
-pub fn read_lesson(lesson: JsValue) -> Result<JsValue, JsValue> {
+#[wasm_bindgen(js_name = readLesson, unchecked_return_type = "LessonDocument")]
+pub fn read_lesson(
+    #[wasm_bindgen(unchecked_param_type = "unknown")] lesson: JsValue,
+) -> Result<JsValue, JsValue> {
     let lesson: LessonDocument = read_value(&lesson)?;
     lesson.check().map_err(thrown)?;
     Ok(to_js(&lesson))

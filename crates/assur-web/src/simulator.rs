@@ -41,6 +41,7 @@ impl Simulator {
     ///
     /// # Errors
     /// Every problem of the state; the previous document then stays open.
+    #[wasm_bindgen(skip_typescript)]
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
         let state = read(&state)?;
         let document = open(&state).map_err(thrown)?;
@@ -51,6 +52,7 @@ impl Simulator {
     }
 
     /// The unit of lengths: `m`, `cm`, `mm`, `in` or `none`. Before the first `set` it is `none`.
+    #[wasm_bindgen(unchecked_return_type = "LengthUnit")]
     pub fn lengths(&self) -> JsValue {
         let (unit, _) = self.lengths.unwrap_or((LengthUnit::None, false));
         to_js(&unit)
@@ -112,6 +114,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A call before the first `set`.
+    #[wasm_bindgen(unchecked_return_type = "Problem[]")]
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
         let moves = self.document()?.moves();
         Ok(thrown(moves.and_then(|moves| moves.why(input))))
@@ -133,6 +136,7 @@ impl Simulator {
     ///
     /// # Errors
     /// An unknown point; a place that is not finite; no pose at this input.
+    #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn drag(&self, point: &str, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drag(point, input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())
@@ -142,6 +146,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A handle without an action.
+    #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn press(&self, handle: &str) -> Result<JsValue, JsValue> {
         let change = self.edited()?.press(handle);
         Ok(change.map_err(one)?.into_js())
@@ -152,7 +157,12 @@ impl Simulator {
     ///
     /// # Errors
     /// A document that cannot be edited as a drawing; the reason why the edit is impossible.
-    pub fn edit(&self, edit: JsValue, input: f64) -> Result<JsValue, JsValue> {
+    #[wasm_bindgen(unchecked_return_type = "DocumentOf<\"draft\" | \"linkage\"> & Drawn")]
+    pub fn edit(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Edit")] edit: JsValue,
+        input: f64,
+    ) -> Result<JsValue, JsValue> {
         let edit: Edit = read_tagged(&edit, "edit")?;
         draft::edit(self.document()?, &edit, input).map_err(thrown)
     }
@@ -161,6 +171,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A document that cannot be edited as a drawing.
+    #[wasm_bindgen(unchecked_return_type = "LinkageDocument")]
     pub fn part(
         &self,
         points: Vec<String>,
@@ -176,7 +187,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A place that is not finite; a call before the first `set`.
-    #[wasm_bindgen(js_name = linkAt)]
+    #[wasm_bindgen(js_name = linkAt, unchecked_return_type = "LinkHere | null")]
     pub fn link_at(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let place = place(x, y)?;
         Ok(to_js(&self.document()?.link_at(input, place)))
@@ -186,7 +197,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A kind that cannot be made from this document.
-    #[wasm_bindgen(js_name = asKind)]
+    #[wasm_bindgen(js_name = asKind, skip_typescript)]
     pub fn as_kind(&self, kind: &str, input: f64) -> Result<JsValue, JsValue> {
         let document = as_kind(kind, self.linkage()?, input).map_err(one)?;
         Ok(to_js(&document))
@@ -197,6 +208,9 @@ impl Simulator {
     ///
     /// # Errors
     /// The reason why there is no pose; no link to trace.
+    #[wasm_bindgen(
+        unchecked_return_type = "Required<Pick<Changed<Fields<\"linkage\" | \"mixer\">>, \"document\">>"
+    )]
     pub fn trace(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.trace(input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())
@@ -207,7 +221,7 @@ impl Simulator {
     ///
     /// # Errors
     /// The reason why the value cannot be set, with the last possible value.
-    #[wasm_bindgen(js_name = setDimension)]
+    #[wasm_bindgen(js_name = setDimension, unchecked_return_type = "Changed")]
     pub fn set_dimension(&self, field: &str, value: f64, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.set(field, value, input);
         Ok(change.map_err(thrown)?.into_js())
@@ -217,6 +231,7 @@ impl Simulator {
     ///
     /// # Errors
     /// The reason why the link cannot be driven.
+    #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn drive(&self, link: &str, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drive(link, input);
         Ok(change.map_err(thrown)?.into_js())
@@ -226,6 +241,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A document without assemblies.
+    #[wasm_bindgen(unchecked_return_type = "AssembliesHere")]
     pub fn assemblies(&self, input: f64) -> Result<JsValue, JsValue> {
         let here = self.edited()?.assemblies(input);
         Ok(to_js(&here.ok_or_else(|| one(unknown("assembly")))?))
@@ -235,6 +251,7 @@ impl Simulator {
     ///
     /// # Errors
     /// No such assembly.
+    #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn assemble(&self, number: usize, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.assemble(number, input);
         Ok(change.map_err(thrown)?.into_js())
@@ -244,6 +261,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A call before the first `set`; a document that does not move.
+    #[wasm_bindgen(unchecked_return_type = "[number, number]")]
     pub fn advance(&self, input: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
         let (input, sense) = self.moves()?.advance(input, delta);
         Ok(vec![input, sense])
@@ -254,10 +272,11 @@ impl Simulator {
     ///
     /// # Errors
     /// A malformed request; a call before the first `set`.
+    #[wasm_bindgen(unchecked_return_type = "ChartLayout")]
     pub fn chart(
         &self,
         context: &CanvasRenderingContext2d,
-        request: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "ChartRequest")] request: JsValue,
     ) -> Result<JsValue, JsValue> {
         self.charted(context, request, None)
     }
@@ -266,11 +285,11 @@ impl Simulator {
     ///
     /// # Errors
     /// Those of `chart`; the other simulator's document does not move.
-    #[wasm_bindgen(js_name = chartCompared)]
+    #[wasm_bindgen(js_name = chartCompared, unchecked_return_type = "ChartLayout")]
     pub fn chart_compared(
         &self,
         context: &CanvasRenderingContext2d,
-        request: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "ChartRequest")] request: JsValue,
         with: &Self,
     ) -> Result<JsValue, JsValue> {
         self.charted(context, request, Some(with.moves()?))
@@ -311,6 +330,7 @@ impl Simulator {
     ///
     /// # Errors
     /// A call before the first `set`.
+    #[wasm_bindgen(unchecked_return_type = "SweepTable")]
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.moves()?.table(steps)))
     }
@@ -319,7 +339,7 @@ impl Simulator {
     ///
     /// # Errors
     /// Either document is not a moving linkage.
-    #[wasm_bindgen(js_name = sweepCompared)]
+    #[wasm_bindgen(js_name = sweepCompared, unchecked_return_type = "SweepTable")]
     pub fn sweep_compared(&self, steps: u32, with: &Self) -> Result<JsValue, JsValue> {
         let table = SweepTable::beside(self.linkage()?, steps, with.linkage()?);
         Ok(to_js(&table))
@@ -339,6 +359,7 @@ impl Simulator {
     ///
     /// # Errors
     /// The reason why there are none: no pose, or unbounded derivatives.
+    #[wasm_bindgen(unchecked_return_type = "RelationHere[]")]
     pub fn relations(&self, input: f64) -> Result<JsValue, JsValue> {
         let relations = self.document()?.relations(input).map_err(one)?;
         let here: Vec<RelationHere> = relations.into_iter().map(Into::into).collect();
@@ -350,6 +371,7 @@ impl Simulator {
     ///
     /// # Errors
     /// The reason why there are none: no linkage, no pose, or unbounded derivatives.
+    #[wasm_bindgen(unchecked_return_type = "CurvatureHere")]
     pub fn curvature(&self, input: f64) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.curvature(input).map_err(one)?;
         Ok(to_js(&here))
@@ -360,6 +382,7 @@ impl Simulator {
     ///
     /// # Errors
     /// The reason why there are none: no pose, or unbounded derivatives.
+    #[wasm_bindgen(unchecked_return_type = "PolygonsHere")]
     pub fn polygons(&self, input: f64, shown: usize) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.polygons(input, shown);
         Ok(to_js(&here.map_err(one)?))

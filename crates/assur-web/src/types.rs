@@ -8,7 +8,7 @@ use crate::capabilities::{LinkHere, RelationHere};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::curvature::CurvatureHere;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
-use crate::kinds::draft::DraftSummary;
+use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
@@ -23,7 +23,12 @@ use crate::table::SweepTable;
 
 const HEAD: &str = "\
 import { Mend } from \"assur/types/edit.js\";
-import { KindDocument, LinkageDocument, Only } from \"assur/types/file.js\";
+import { Document, DocumentOf, Frozen, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from \"assur/types/file.js\";
+export type Kind = Document[\"kind\"];
+export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: Partial<View>, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
+export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<K>[\"document\"]> : never;
+export type Changed<F = Fields> = { document?: F, input?: number };
+export type Imported = { read: Document, left_out: Problem[] };
 export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 ";
 
@@ -66,6 +71,7 @@ fn the_scripts_know_what_crosses_the_border() {
         SweepTable,
         Wishes,
         Movement,
+        Drawn,
         StepSummary,
         ReachedSummary,
     );

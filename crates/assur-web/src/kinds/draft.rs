@@ -37,10 +37,7 @@ pub(crate) struct DraftSummary<'a> {
     mobility: Option<isize>,
     drivers: usize,
     /// Every reason why the drawing does not move.
-    #[cfg_attr(
-        test,
-        ts(type = "readonly import(\"assur/core/problem.js\").Problem[]")
-    )]
+    #[cfg_attr(test, ts(type = "readonly Problem[]"))]
     reasons: &'a [Problem],
     loose: &'a [String],
     locked: &'a [String],
@@ -50,9 +47,11 @@ pub(crate) struct DraftSummary<'a> {
 
 /// A drawing after an edit.
 #[derive(Serialize)]
-struct Drawn {
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct Drawn {
     /// The document: a `linkage` if it can move, otherwise a `draft`.
     #[serde(flatten)]
+    #[cfg_attr(test, ts(skip))]
     document: Document,
     /// The point that was added last.
     point: Option<String>,
