@@ -208,15 +208,15 @@ export type KindDocument = "revolute" | "prismatic" | "screw" | "cylindrical" | 
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
 export type LessonDocument = { 
 /**
- * Its title.
+ * Title of the lesson.
  */
 title: string, 
 /**
- * Its author.
+ * Author of the lesson; may be empty.
  */
 author?: string, 
 /**
- * Its steps in their order.
+ * Steps of the lesson, in order.
  */
 steps: Array<StepDocument>, };
 export type LinkDocument = { 
@@ -391,7 +391,7 @@ mesh: MeshDocument,
  */
 module: number, 
 /**
- * Number of the assembly, 1 or 2.
+ * Number of the assembly of the four-bar, 1 or 2.
  */
 assembly: 1 | 2, 
 /**
@@ -400,7 +400,7 @@ assembly: 1 | 2,
 tracers: Array<MixerTracerDocument>, };
 export type MixerTracerDocument = { 
 /**
- * The link to which it is fixed: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+ * The link that carries the point: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
  */
 link: string, 
 /**
@@ -425,7 +425,7 @@ at?: number | null,
  */
 value?: number | null, 
 /**
- * Unit written beside a value.
+ * Unit written beside `value`.
  */
 unit?: string, 
 /**
@@ -670,7 +670,7 @@ line: [string, string], };
 export type SpeedUnit = "rad_per_s" | "per_min";
 export type StepDocument = { 
 /**
- * Its title.
+ * Title of the step.
  */
 title: string, 
 /**
@@ -682,7 +682,7 @@ text: string,
  */
 formula?: string, 
 /**
- * The shown document; if absent, that of the step before.
+ * The shown document; if absent, the document of the step before is shown.
  */
 shows?: ShownDocument | null, 
 /**
@@ -903,7 +903,7 @@ projector: boolean,
 lang: string, };
 export type WheelDocument = { 
 /**
- * Its number of teeth.
+ * Number of teeth of the wheel.
  */
 z: number, 
 /**

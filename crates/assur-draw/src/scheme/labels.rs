@@ -11,7 +11,7 @@ use crate::scheme::opening::Displacement;
 const CLEAR: f64 = 6.0;
 
 impl SchemeFigure {
-    /// Adds the names of pairs, on the side away from their links, and the numbers of links.
+    /// Adds the numbers of links and the names of pairs. Each name is on the side of its pair away from the links.
     pub(super) fn label(&self, list: &mut List, bodies: &[Body], moved: &[Displacement]) {
         let pairs = self.scheme.pairs();
         for (index, pair) in pairs.iter().enumerate() {

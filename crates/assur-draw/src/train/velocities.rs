@@ -1,5 +1,5 @@
-//! The velocity triangle of a satellite, on the line from the main axis through the satellite. The tips
-//! of the velocities are on a straight line, which meets this line at the instantaneous centre.
+//! The velocity triangle of a satellite, on the line from the main axis through the satellite. The tips of the velocity
+//! arrows are on a second straight line. The two lines meet at the instantaneous centre.
 
 use assur::Point;
 use assur::gears::train::Velocities;
