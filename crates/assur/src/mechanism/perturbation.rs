@@ -60,7 +60,8 @@ const MAX_CHANGE: f64 = 0.2;
 const CONTRACTION: f64 = 0.125;
 /// Maximum first Newton correction, in units of the unknowns.
 const CORRECTED: f64 = 0.03;
-/// Maximum factor by which a group's Jacobian determinant may change, to keep solutions about to meet apart.
+/// Maximum factor by which the Jacobian determinant of a group may change. The determinant tends to zero where two
+/// solutions meet, so with this limit one is not taken for the other.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {
@@ -243,7 +244,7 @@ impl Layout {
         })
     }
 
-    /// Step whose links moved too far for a neighbour; None if no links did.
+    /// Step whose links moved too far for a neighbour, or may be in another assembly; None if there is no such step.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, MAX_CHANGE);
         if let Some(body) = moved {
@@ -262,7 +263,7 @@ impl Layout {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // Pivoting may drop different equations of a redundant group; its determinants cannot be compared.
+            // Pivoting may drop different equations of a redundant group; its determinants are then not comparable.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed
