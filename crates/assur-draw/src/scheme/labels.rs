@@ -44,7 +44,8 @@ impl SchemeFigure {
         }
     }
 
-    /// Returns the position of a link's number: beside the middle of a bar, or elsewhere on it if a pair is too near.
+    /// Returns the position of a link's number and its offset: beside the middle of a bar, or elsewhere along the bar if a
+    /// pair is too near; for a plate, at its centroid.
     fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
         let nodes = self.seen(body);
         let hull = parts::hull(nodes.clone());

@@ -15,7 +15,7 @@ const MAX_LENGTH: f64 = 20.0;
 /// Draws the triangle up to the distance `reach` from the main axis. The x-axis is the line from the main axis through
 /// the satellite. Arrows are scaled to the available room: their lengths show only ratios of velocities.
 pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f64) {
-    // A margin for the width of arrowheads.
+    // Leaves room for the width of arrowheads.
     let reach = reach - 2.0 * unit;
     let within = |radius: &f64| radius.abs() < reach;
     let places = [velocities.sun, velocities.centre, velocities.ring];

@@ -80,7 +80,7 @@ impl Assembled {
     }
 
     /// Assembles a specification at an input, with one setting that differs from the drawing. Each step joins its links
-    /// on the given side, or as drawn if no sign joins them on this side.
+    /// on the given side, or as drawn if neither sign of its root puts them on this side.
     fn joined(
         before: &Layout,
         mut spec: LinkageSpec,
@@ -209,7 +209,7 @@ impl Layout {
         )
     }
 
-    /// Joins the links of each step on its given side, or as drawn if no sign joins them on this side.
+    /// Joins the links of each step on its given side, or as drawn if neither sign of its root puts them on this side.
     fn join(
         &self,
         spec: &LinkageSpec,
@@ -236,7 +236,7 @@ impl Layout {
         Ok(state)
     }
 
-    /// Side on which a sign joins the links of a step.
+    /// Side on which a sign of the root joins the links of a step.
     fn side(&self, step: StepId, sign: Sign, mounting: &Mounting, state: &State<1>) -> f64 {
         let four_bar = self.steps[step].four_bar();
         four_bar.map_or(sign.factor(), |four_bar| {

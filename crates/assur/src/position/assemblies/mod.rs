@@ -44,7 +44,7 @@ pub(crate) struct GroupAssemblies {
     pub(crate) real: Vec<GroupAssembly>,
     /// True if the assemblies need no Newton steps: they were tracked, and no derivatives are wanted.
     pub(crate) solved: bool,
-    /// Number of complex assemblies, including the real ones.
+    /// Number of all assemblies over the complex numbers, including the real ones.
     pub(crate) complex: usize,
     /// The assemblies that are not real.
     pub(crate) complex_pairs: Vec<ComplexPair>,
