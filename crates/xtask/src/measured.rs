@@ -17,7 +17,7 @@ type Figures = Vec<(String, f64)>;
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Measured {
     pub(crate) machine: Machine,
-    /// Times of the engine compiled natively, nanoseconds. The first is the yardstick, the unit of all engine times.
+    /// Times of the engine compiled natively, nanoseconds. The first is the yardstick for all engine times.
     pub(crate) native: Figures,
     /// Times of the engine in the browser, nanoseconds.
     pub(crate) browser: Figures,

@@ -57,7 +57,7 @@ fn name(mechanism: &Mechanism, link: LinkOrFrame) -> &str {
 /// Returns the description of an output, with angles in degrees, and true if the output moves. The description has the
 /// least and greatest value on each arc of the motion (null where a link keeps rotating), the travel in both
 /// directions, limit positions, and the time ratio if the output moves there and back once per turn. If the motion has
-/// too many turns to be searched, the description has only the name and the numbers of turns.
+/// too many turns to be searched, the description has only the name, the number of turns and its limit.
 fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     let mechanism = motion.mechanism();
     let profile = match OutputProfile::new(motion, quantity) {

@@ -39,8 +39,7 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
     links.map(role).collect()
 }
 
-/// Returns the colours of the terms of the structural formula, followed by those of the doubled links, which have the
-/// colours of their bodies.
+/// Returns the colours of the terms of the structural formula. The term of a doubled link has the colour of its body.
 pub(super) fn of_terms(mechanism: &Mechanism) -> impl Iterator<Item = Role> {
     let of_links = of_groups(mechanism);
     let doubled = mechanism.doubled().iter();

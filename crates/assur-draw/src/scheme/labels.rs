@@ -44,8 +44,8 @@ impl SchemeFigure {
         }
     }
 
-    /// Returns the position of a link's number and its offset: beside the middle of a bar, or elsewhere along the bar if a
-    /// pair is too near; for a plate, at its centroid.
+    /// Returns the position and the offset of a link's number. The position is the middle of a bar, or another point if
+    /// a pair is too near; on a plate it is the centroid.
     fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
         let nodes = self.seen(body);
         let hull = parts::hull(nodes.clone());

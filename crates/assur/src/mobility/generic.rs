@@ -10,7 +10,7 @@ use crate::numeric::newton::MAX_STEPS_FROM_DRAWING;
 use crate::sorting::sort_by_key;
 use crate::tolerance;
 
-/// Lengths of the steps tried from the drawn pose: radians for angles; for displacements, parts of the scheme's size.
+/// Steps tried from the drawn pose: rotations in radians, displacements relative to the size of the scheme.
 const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
 
 /// Mobility by rank away from the drawn pose.
@@ -119,7 +119,7 @@ impl Scheme {
         None
     }
 
-    /// For each pair, its first link with each of its other links, after the displacement.
+    /// For each pair, the displaced pairs that its first link forms with each of its other links.
     fn halves(&self, drawn: &[Form], placements: &[Placement]) -> Vec<Vec<Displaced>> {
         let pairs = self.pairs().iter().zip(drawn);
         let between = pairs.map(|(pair, form)| {

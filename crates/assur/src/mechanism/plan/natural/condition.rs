@@ -15,7 +15,8 @@ pub(in crate::mechanism) enum Condition {
     /// residual into a length; otherwise it is 0.
     Unit(Form, f64),
     Zero(Form),
-    /// Component of the vector `way` along a unit direction, prescribed by the angle constraint with index `mesh`.
+    /// Component of the vector `way` along a unit direction, prescribed by a drive; `mesh` is the index of the angle
+    /// constraint that holds the drive.
     Along {
         direction: Form,
         way: Form,
