@@ -76,7 +76,7 @@ impl Motion {
             });
             return Ok(found.min_by(by_angle));
         }
-        // The cosine of the angle is linear in the square of the diagonal. This square is smooth, because it is computed
+        // The cosine of the angle is linear in the square of the diagonal. This square is smooth: it is computed
         // without a root.
         let diagonal = self.telling(|pose: &Pose<3>| mechanism.diagonal(pose, dyad));
         let diagonal = |input: f64| diagonal(input).ok();
