@@ -17,7 +17,7 @@ use crate::{Failure, source};
 pub(crate) struct Asked {
     /// Catalogue name or file.
     name: Name,
-    /// Input: degrees, or a length if a slide is driven [default: the drawn input]
+    /// Input of the assemblies, in degrees, or a length if a slide is driven [default: the drawn input]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     at: Option<f64>,
     /// Instead of the table, writes the linkage drawn in assembly number N, as a file
@@ -25,7 +25,8 @@ pub(crate) struct Asked {
     assemble: Option<usize>,
 }
 
-/// Writes the table, with a warning on standard error if it may be incomplete, or the linkage drawn in one assembly.
+/// Writes the table or, on request, the linkage drawn in one assembly. Warns on standard error if the table may be
+/// incomplete.
 ///
 /// # Errors
 /// A document that is not a mechanism; an invalid number; output that cannot be written.

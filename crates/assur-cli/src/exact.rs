@@ -5,10 +5,11 @@ use std::io::{self, Write};
 use crate::source::Name;
 use crate::{Failure, source};
 
-/// Writes the corrected drawing as a file. Standard error names the point that moved farthest, and its distance.
+/// Writes the corrected drawing as a file. Standard error names the point with the largest displacement, and its size.
 ///
 /// # Errors
-/// An unknown name or file; a drawing that moves already or needs a large change; output that cannot be written.
+/// An unknown name or file; a drawing that already moves, or that no small correction lets move; output that cannot be
+/// written.
 pub(crate) fn write(out: &mut impl Write, name: &Name) -> Result<(), Failure> {
     let document = source::linkage(name)?;
     let Some(exact) = document.spec().made_exact() else {

@@ -32,15 +32,15 @@ pub struct Overlays {
 pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
-    /// Drawn length of the longest vector that counts for the scale, relative to the drawing's size.
+    /// Drawn length of the longest vector from which the scale is set, relative to the drawing's size.
     const DRAWN_LENGTH: f64 = 0.3;
     /// Greatest length of a vector whose tip must be within the drawing, relative to the drawing's size.
     const ROOM: f64 = 0.5;
     /// Least value assumed for the longest derivative when the scale is computed, relative to the drawing's size.
     const MIN_DERIVATIVE: f64 = 1e-9;
 
-    /// Returns the scales for the paths of points over a motion. The longest tenth of each point's vectors does not
-    /// count, because vectors grow without bound near dead points.
+    /// Returns the scales for the paths of points over a motion. The longest tenth of each point's vectors is ignored,
+    /// because vectors grow without bound near dead points.
     pub(crate) fn of(paths: &[Vec<JetPoint<3>>], size: f64) -> Self {
         Self([1, 2].map(|order| {
             let usual = |path: &Vec<JetPoint<3>>| {
@@ -125,7 +125,7 @@ pub(crate) fn transmission(list: &mut List, [b, c, d]: [Point; 3], name: usize, 
     let at = |angle: f64, radius: f64| c + Vector::new(angle.cos(), angle.sin()) * radius;
     let mut turn = wrapped(direction(d) - from);
     if turn.abs() > FRAC_PI_2 {
-        // The line from d is extended beyond c.
+        // The angle is obtuse, so the acute one is drawn: between cb and the extension of dc beyond c.
         turn = wrapped(turn + PI);
         list.polyline(
             Role::Secondary,
@@ -310,8 +310,8 @@ mod tests {
         }
     }
 
-    /// The longest vector that counts has the intended length. The scale is finite and positive, even if nothing moves
-    /// or a tenth of the vectors grows without bound.
+    /// The longest vector that is not ignored has the intended length. The scale is finite and positive, even if
+    /// nothing moves or a tenth of the vectors grows without bound.
     #[test]
     fn scales_are_finite_and_positive() {
         let moving = |speed: f64| JetPoint {

@@ -12,7 +12,7 @@ use crate::list::{List, Role};
 use backend::Canvas;
 use painter::Painter;
 
-/// Colours of the roles on light paper; the style sheet of the page has the same ones.
+/// Colours of the roles on light paper, the same as in the style sheet of the page.
 pub const LIGHT: Palette = [
     RGBColor(0x1b, 0x1f, 0x24),
     RGBColor(0x5b, 0x64, 0x70),
@@ -45,13 +45,13 @@ const MARGIN: f64 = 40.0;
 pub struct Drawing<'a> {
     /// Rectangle of the drawing: left, bottom, right, top.
     pub bounds: [f64; 4],
-    /// Display list of whatever moves with the bodies.
+    /// Display list of the parts that are fixed to bodies.
     pub rigid: &'a List,
-    /// Poses of the bodies, then the display list of everything else.
+    /// Poses of the bodies, then the display list of the parts that are not fixed to bodies.
     pub frame: &'a [f32],
     /// Names, to which labels refer by index.
     pub names: &'a [String],
-    /// Function from the name of a read-out to its value, radians, which labels show.
+    /// Returns the value of a read-out by its name, radians, for labels to show; None if there is no value.
     pub values: &'a dyn Fn(&str) -> Option<f64>,
 }
 
@@ -197,7 +197,7 @@ fn css(role: usize) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Formats a number of an axis, without rounding errors.
+/// Formats a number on an axis with at most six decimals, which hide rounding errors.
 fn short(value: f64) -> String {
     let rounded = format!("{value:.6}");
     let rounded = rounded.trim_end_matches('0').trim_end_matches('.');
@@ -226,7 +226,7 @@ mod tests {
         let sheet = include_str!("../../../www/styles/page.css");
         for (role, name) in ROLES.iter().enumerate() {
             let line = format!("--role-{name}: {};", css(role));
-            // The first of several definitions is that of the light theme.
+            // The first definition of a colour in the style sheet is that of the light theme.
             let first = sheet.find(&format!("--role-{name}:"));
             assert!(
                 first.is_some_and(|at| sheet[at..].starts_with(&line)),
@@ -245,7 +245,7 @@ mod tests {
         }
     }
 
-    /// A label with a read-out shows the value of the read-out in degrees, if there is one.
+    /// A label with a read-out shows the value of the read-out in degrees, if the read-out has a value.
     #[test]
     fn labels_are_written_with_their_values() {
         let mut list = List::default();

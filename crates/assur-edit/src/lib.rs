@@ -50,7 +50,7 @@ pub struct Edited {
 /// Applies an edit to a drawing.
 ///
 /// # Errors
-/// The reason why the edit is impossible, or the problems of a result that is not accepted.
+/// The reason why the edit is impossible, or the problems of the edited drawing if it is not accepted.
 pub fn edited(document: &LinkageDocument, edit: &Edit) -> Result<Edited, Vec<Problem>> {
     let mut drawing = Drawing::new(document);
     let called = names::called_by_points(document);

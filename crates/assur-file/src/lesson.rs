@@ -38,13 +38,13 @@ const FORMULA: usize = 1000;
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct LessonDocument {
-    /// Its title.
+    /// Title of the lesson.
     pub title: String,
-    /// Its author.
+    /// Author of the lesson; may be empty.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub author: String,
-    /// Its steps in their order.
+    /// Steps of the lesson, in order.
     pub steps: Vec<StepDocument>,
 }
 
@@ -53,7 +53,7 @@ pub struct LessonDocument {
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct StepDocument {
-    /// Its title.
+    /// Title of the step.
     pub title: String,
     /// Paragraphs, one per line. Asterisks mark `*emphasis*`, and `_` starts a subscript in a symbol.
     pub text: String,
@@ -61,7 +61,7 @@ pub struct StepDocument {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub formula: String,
-    /// The shown document; if absent, that of the step before.
+    /// The shown document; if absent, the document of the step before is shown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shows: Option<ShownDocument>,
     /// The question, if there is one.
@@ -122,7 +122,7 @@ pub struct NumberDocument {
     /// The answer itself, if it is not a quantity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub value: Option<f64>,
-    /// Unit written beside a value.
+    /// Unit written beside `value`.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub unit: String,
@@ -167,7 +167,7 @@ impl LessonDocument {
     /// Checks all texts and numbers, and that every question can be answered.
     ///
     /// # Errors
-    /// The problems of the lesson itself or, if there are none, the number of its first faulty step and its problems.
+    /// The problems of the lesson itself or, if there are none, the number and the problems of its first faulty step.
     pub fn check(&self) -> Result<(), Vec<Problem>> {
         let mut problems = Problems::default();
         problems.characters("lesson.title", &self.title, TITLE);

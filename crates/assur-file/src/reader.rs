@@ -47,7 +47,7 @@ struct Elements<'de, 'path> {
 struct Fields<'de, 'path> {
     rest: map::Iter<'de>,
     value: Option<&'de Value>,
-    /// Length of the path of the object.
+    /// Length of the object's path, bytes.
     length: usize,
     path: &'path mut String,
 }

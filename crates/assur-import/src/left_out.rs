@@ -32,13 +32,15 @@ pub enum LeftOut {
     Slideless { point: String },
     /// Two wheels with a chain, replaced by a pair of wheels with the same sense of rotation.
     Chain { names: Vec<String> },
-    /// Wheels whose ratio no permitted numbers of teeth give exactly.
+    /// Wheels with a ratio of sizes, `ratio`, that no permitted numbers of teeth give exactly.
     Teeth { names: Vec<String>, ratio: f64 },
     /// Wheels that do not form a pair, for example without a common carrier.
     Wheels { names: Vec<String> },
-    /// A further driver whose rate relative to the first was changed so that the motion repeats.
+    /// A driver after the first one. Its rate relative to the first was changed from `rate` to `taken`, so that the
+    /// motion repeats.
     Ratio { link: String, rate: f64, taken: f64 },
-    /// A driven slide with no given range, or with one that includes impossible lengths.
+    /// A driven slide without a given range, or with a range that includes impossible lengths. The range from `min` to
+    /// `max` was used instead.
     Range { point: String, min: f64, max: f64 },
     /// Oscillating actuators that are not the only driver, and now move in one direction only.
     OneWay { names: Vec<String> },
@@ -50,7 +52,7 @@ pub enum LeftOut {
     Driver { point: String },
     /// A part fastened to another part that cannot carry it.
     Fastened { name: String },
-    /// Scale of the drawing.
+    /// Scale of the drawing, which is ignored.
     Scale { factor: f64 },
     /// An unknown part at the end of a PMKS+ URL.
     Unknown { part: String },

@@ -10,16 +10,16 @@ use xshell::cmd;
 
 use crate::workspace::{VERSION, Workspace};
 
-/// Figures by their names, in the order in which they are printed.
+/// Measured values with their names, in the order in which they are printed.
 type Figures = Vec<(String, f64)>;
 
-/// The figures of a run.
+/// The values measured in one run of the benchmark.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Measured {
     pub(crate) machine: Machine,
-    /// Times of the engine in nanoseconds, natively; the first is the yardstick.
+    /// Times of the engine compiled natively, nanoseconds. The first is the yardstick for all engine times.
     pub(crate) native: Figures,
-    /// Times of the engine in nanoseconds, in the browser.
+    /// Times of the engine in the browser, nanoseconds.
     pub(crate) browser: Figures,
     pub(crate) page: Figures,
 }
@@ -63,7 +63,7 @@ fn model(described: String) -> Option<String> {
 }
 
 impl Measured {
-    /// The time of the yardstick.
+    /// The time of the yardstick, nanoseconds.
     pub(crate) fn unit(&self) -> f64 {
         self.native.first().map_or(f64::NAN, |(_, time)| *time)
     }

@@ -20,7 +20,8 @@ const GECKODRIVER: &str = "0.37.1";
 
 const THERE: &str = "already there";
 
-/// Installs the standard library for [`WASM`]. It is looked for on disk, so that a compiler without rustup works too.
+/// Installs the standard library for [`WASM`]. The library is looked for on disk, so a compiler without rustup works
+/// too.
 pub(crate) fn wasm_target(workspace: &Workspace) -> Result<()> {
     let shell = &workspace.shell;
     let library = cmd!(shell, "rustc --print target-libdir --target {WASM}").read()?;
@@ -88,8 +89,8 @@ pub(crate) fn packages(workspace: &Workspace) -> Result<()> {
     run(cmd!(workspace.shell, "{npm} ci --no-audit --no-fund"), WHAT)
 }
 
-/// Returns the path of a tool in a given version, and installs the tool if it is missing. The folder is inside cargo's
-/// own, so all clones of the repository share it.
+/// Returns the path of a tool in a given version, and installs the tool if it is missing. The tool is installed inside
+/// cargo's folder, so all clones of the repository share it.
 fn installed(
     workspace: &Workspace,
     package: &str,
@@ -116,7 +117,7 @@ fn installed(
         workspace.shell,
         "cargo install {package} --version {version} {locked...} --root {root} --force"
     )
-    // The tools mostly wait for other programs, so they are built with less optimisation, which takes less time.
+    // The tools mostly wait for other programs, so they are built faster, with less optimisation.
     .env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1")
     .env("CARGO_PROFILE_RELEASE_LTO", "off")
     .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "16");

@@ -54,10 +54,10 @@ fn name(mechanism: &Mechanism, link: LinkOrFrame) -> &str {
     link.map_or(FRAME, |link| mechanism.link_name(link))
 }
 
-/// Describes an output, with angles in degrees, and returns whether it moves at all. The description has the least and
-/// greatest value on each arc of the motion (null where a link keeps rotating), the travel in both directions, limit
-/// positions, and the time ratio if the output moves there and back once per turn. For a motion with too many turns to
-/// be searched, only the number of turns is given.
+/// Returns the description of an output, with angles in degrees, and true if the output moves. The description has the
+/// least and greatest value on each arc of the motion (null where a link keeps rotating), the travel in both
+/// directions, limit positions, and the time ratio if the output moves there and back once per turn. If the motion has
+/// too many turns to be searched, the description has only the name, the number of turns and its limit.
 fn output(motion: &Motion, quantity: Quantity) -> (Value, bool) {
     let mechanism = motion.mechanism();
     let profile = match OutputProfile::new(motion, quantity) {

@@ -19,7 +19,7 @@ use crate::words::number;
 use described::Report;
 use function::OnFunction;
 
-/// Maximum number of linkages shown, of a family or of the minima of a search.
+/// Maximum number of linkages shown from a family, and of minima shown from a search.
 const SHOWN: usize = 5;
 
 /// Arguments of `assur synth`.
@@ -52,14 +52,14 @@ pub(crate) struct Asked {
     /// Length of the output link, which selects one linkage of the family of two positions.
     #[arg(long, value_parser = number, value_name = "LENGTH", allow_hyphen_values = true)]
     l2: Option<f64>,
-    /// Coupler angles, one per position, degrees from the x-axis. Shows the conditions and theorems of the source paper
-    /// at these angles, as printed and in fact, and the ranges of the lengths.
+    /// Coupler angles, one per position, degrees from the x-axis. Shows if the source paper's conditions and theorems
+    /// hold at these angles, if their conclusions are true, and the possible lengths of the coupler.
     #[arg(long, value_name = "PHI1,...", value_delimiter = ',', value_parser = number, allow_hyphen_values = true)]
     coupler: Vec<f64>,
-    /// Trial lengths of coupler, output link and driver: shows their gap in each position instead of a solution.
+    /// Trial lengths of coupler, output link and driver. Shows the gap in the loop at each position, not a solution.
     #[arg(long, value_name = "L1,L2,L3", value_parser = lengths, allow_hyphen_values = true)]
     lengths: Option<[f64; 3]>,
-    /// Leaves the starting angles of output link and driver free (exact for five positions)
+    /// Leaves the starting angles of output link and driver free; five positions can then be met exactly
     #[arg(long)]
     free: bool,
     /// Prints JSON.
@@ -67,7 +67,7 @@ pub(crate) struct Asked {
     json: bool,
 }
 
-/// A position, from the command line or on a function.
+/// A position, given on the command line or by a function.
 #[derive(Clone, Copy)]
 pub(crate) struct Degrees {
     output: f64,

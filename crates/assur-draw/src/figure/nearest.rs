@@ -18,7 +18,7 @@ impl Figure {
             let at = Point::origin() + layout::turned(place - origin, -angle);
             let off = match self.layout.outline(link) {
                 [from, to] => parts::distance(at, *from, *to),
-                // A wheel without a bar.
+                // A wheel without a bar is among `wheels` below.
                 [_] if self.gearing.is_wheel(link) => return None,
                 outline => parts::distance_to_plate(at, outline)?,
             };

@@ -6,8 +6,8 @@ use assur::structure::{Step, Structure};
 use crate::annotations::Annotations;
 use crate::list::{IN_TURN, Role};
 
-/// Returns the colour of each link: as annotated, or else the crank's colour for a driven link, the
-/// colour of the body for a link fixed to it, and the next colour in turn for any other link.
+/// Returns the colour of each link: as annotated, or by default the crank's colour for a driven link, the colour of the
+/// carrying link for a link fixed to another, and the next colour in turn for any other link.
 pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role> {
     let draft = mechanism.spec();
     let driven = |name: &String| {
@@ -39,7 +39,7 @@ pub(super) fn own(mechanism: &Mechanism, annotations: &Annotations) -> Vec<Role>
     links.map(role).collect()
 }
 
-/// Returns the colours of the terms of the structural formula; a doubled link has the colour of its body.
+/// Returns the colours of the terms of the structural formula. The term of a doubled link has the colour of its body.
 pub(super) fn of_terms(mechanism: &Mechanism) -> impl Iterator<Item = Role> {
     let of_links = of_groups(mechanism);
     let doubled = mechanism.doubled().iter();

@@ -11,7 +11,7 @@ use crate::scheme::opening::Displacement;
 const CLEAR: f64 = 6.0;
 
 impl SchemeFigure {
-    /// Adds the names of pairs, on the side away from their links, and the numbers of links.
+    /// Adds the numbers of links and the names of pairs. Each name is on the side of its pair away from the links.
     pub(super) fn label(&self, list: &mut List, bodies: &[Body], moved: &[Displacement]) {
         let pairs = self.scheme.pairs();
         for (index, pair) in pairs.iter().enumerate() {
@@ -44,7 +44,8 @@ impl SchemeFigure {
         }
     }
 
-    /// Returns the position of a link's number: beside the middle of a bar, or elsewhere on it if a pair is too near.
+    /// Returns the position and the offset of a link's number. The position is the middle of a bar, or another point if
+    /// a pair is too near; on a plate it is the centroid.
     fn numbered(&self, body: &Body) -> (Point, [f64; 2]) {
         let nodes = self.seen(body);
         let hull = parts::hull(nodes.clone());

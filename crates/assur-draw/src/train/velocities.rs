@@ -1,5 +1,5 @@
-//! The velocity triangle of a satellite, on the line from the main axis through the satellite. The tips
-//! of the velocities are on a straight line, which meets this line at the instantaneous centre.
+//! The velocity triangle of a satellite, on the line from the main axis through the satellite. The tips of the velocity
+//! arrows are on a second straight line. The two lines meet at the instantaneous centre.
 
 use assur::Point;
 use assur::gears::train::Velocities;
@@ -15,7 +15,7 @@ const MAX_LENGTH: f64 = 20.0;
 /// Draws the triangle up to the distance `reach` from the main axis. The x-axis is the line from the main axis through
 /// the satellite. Arrows are scaled to the available room: their lengths show only ratios of velocities.
 pub(super) fn draw(list: &mut List, velocities: &Velocities, reach: f64, unit: f64) {
-    // A margin for the width of arrowheads.
+    // Leaves room for the width of arrowheads.
     let reach = reach - 2.0 * unit;
     let within = |radius: &f64| radius.abs() < reach;
     let places = [velocities.sun, velocities.centre, velocities.ring];

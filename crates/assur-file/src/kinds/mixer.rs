@@ -36,7 +36,7 @@ pub struct MixerDocument {
     pub mesh: String,
     /// Module of the wheels.
     pub module: f64,
-    /// Number of the assembly, 1 or 2.
+    /// Number of the assembly of the four-bar, 1 or 2.
     #[cfg_attr(test, ts(type = "1 | 2"))]
     pub assembly: f64,
     /// Traced points: P₁, P₂, …
@@ -47,7 +47,7 @@ pub struct MixerDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct WheelDocument {
-    /// Its number of teeth.
+    /// Number of teeth of the wheel.
     pub z: f64,
     /// Direction from the shaft of wheel 4 to that of this wheel, degrees.
     pub centre_line_deg: f64,
@@ -57,7 +57,7 @@ pub struct WheelDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct MixerTracerDocument {
-    /// The link to which it is fixed: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
+    /// The link that carries the point: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, …
     pub link: String,
     /// Coordinate along the link, from the link's first joint.
     pub x: f64,

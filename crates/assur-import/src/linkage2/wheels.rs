@@ -10,7 +10,7 @@ use crate::sketch::{Body, Gear};
 /// Permitted numbers of teeth (docs/file-format.md).
 const TEETH: std::ops::RangeInclusive<u32> = 3..=1000;
 
-/// Preferred minimum number of teeth: fewer look unlike a wheel, but the ratio may require them.
+/// Preferred minimum number of teeth. A wheel with fewer teeth hardly looks like a wheel, but a ratio may need one.
 const SEEMLY: u32 = 12;
 
 pub(super) fn mesh(conversion: &mut Conversion<'_>, ratio: &Ratio) {
@@ -64,8 +64,8 @@ fn joined(conversion: &Conversion<'_>, links: [Option<usize>; 2]) -> Option<([us
     Some(([a, b], conversion.shared(axes)?))
 }
 
-/// Finds numbers of teeth in the ratio of the sizes, or in the nearest possible ratio, and whether
-/// the ratio is exact. None if the ratio is beyond that of any permitted numbers.
+/// Finds permitted numbers of teeth with a ratio nearest to the ratio of the sizes. The flag is true if the ratios are
+/// equal. None if the ratio of the sizes is beyond that of any permitted numbers.
 fn teeth(sizes: [f64; 2]) -> Option<([f64; 2], bool)> {
     let ratio = sizes[0] / sizes[1];
     let within = f64::from(*TEETH.start()) / f64::from(*TEETH.end());

@@ -8,7 +8,7 @@
 //! See Hall, *Kinematics and Linkage Design*, ch. 4.
 //!
 //! A centre is a triple (X, Y, w) at (X/w, Y/w), with w = 0 at infinity. The difference of two links' velocities at the
-//! origin, (−y′, x′, θ′), is such a triple. By the theorem, the three triples of three links sum to zero.
+//! origin, (−y′, x′, θ′), is such a triple. The three triples of three links sum to zero: this is the theorem.
 
 mod kennedy;
 mod projective;
@@ -68,7 +68,7 @@ pub struct InstantCentre {
 
 impl Mechanism {
     /// Lists the instant centres of all pairs of bodies in a pose with at least one derivative. The order is that of
-    /// derivation: first those of joined bodies, then those by Kennedy's lines, each from earlier ones, then the rest.
+    /// derivation: centres of joined bodies, then centres by Kennedy's lines through earlier centres, then the rest.
     pub fn instant_centres<const N: usize>(&self, pose: &Pose<N>) -> Vec<InstantCentre> {
         let mut centres = self.kennedy(pose);
         let by_velocities = self.centres_by_velocities(pose).into_iter();

@@ -42,7 +42,8 @@ impl Second {
         Self { d }
     }
 
-    /// The determinants of Cramer's rule for G: det(x″_G, y″_G), det(x″_G), det(y″_G).
+    /// Determinants of Cramer's rule for G: of the system, det(x″_G, y″_G), then of the two numerators, det(x″_G) and
+    /// det(y″_G).
     fn determinants(&self, first: &First) -> [f64; 3] {
         let [_, b1, b2, b3, b4, _] = first.b;
         let (left, d18) = (self.d[4] - self.d[3], self.d[18]);

@@ -2,9 +2,10 @@
 //!
 //! The method is of order 6 and symplectic: without damping the energy oscillates within bounds and does not drift
 //! (Hairer, Lubich, Wanner: *Geometric Numerical Integration*, theorem II.1.5 on the order, IV.2.2 on quadratic
-//! invariants, VI.4.2 on the symplectic map). It is A-stable, and all its stages are inside the step. Compositions of
-//! explicit maps also step backwards if their order exceeds 2, which is unstable with damping. The stages are found by
-//! fixed-point iteration, which contracts by about (hΩ)²/12, with h the step and Ω the greatest natural frequency.
+//! invariants, VI.4.2 on the symplectic map). It is A-stable, and all its stages are inside the step. By contrast,
+//! compositions of explicit maps with an order above 2 have backward steps, which are unstable with damping. The stages
+//! are found by fixed-point iteration. Each iteration multiplies the error by about (hΩ)²/12, with h the length of the
+//! step and Ω the greatest natural frequency.
 
 use crate::tolerance;
 
@@ -56,7 +57,7 @@ const fn squared() -> [[f64; 3]; 3] {
 /// Maximum number of iterations; about 5 are usual.
 const ITERATIONS: usize = 40;
 
-/// Relative change of the accelerations below which the iteration ends once the change no longer decreases.
+/// Relative change of the accelerations that may be rounding. Below it the iteration ends if the change stops falling.
 const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
@@ -97,7 +98,7 @@ impl Past {
 
     /// Extrapolates the parabola through the previous accelerations to the stages of the next step.
     fn guess(&self, length: f64) -> [[f64; N]; 3] {
-        // The parabola of a much shorter step is extrapolated over at most two lengths of that step.
+        // If the previous step was much shorter, its parabola is extrapolated over at most two of its lengths.
         let reach = (length / self.length).min(2.0);
         C.map(|c| {
             let at = 1.0 + c * reach;
@@ -172,7 +173,7 @@ fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N];
         let weight = length * B[stage];
         for (n, known) in known.iter().enumerate() {
             step.gained[n] += weight * known;
-            // Uses Σᵢ bᵢ aᵢⱼ = bⱼ (1 − cⱼ).
+            // The weight of acceleration j in the displacement is Σᵢ bᵢ aᵢⱼ = bⱼ (1 − cⱼ).
             step.moved[n] += weight * length * (1.0 - C[stage]) * known;
         }
     }
@@ -238,7 +239,7 @@ mod tests {
         assert!((q[1] - swing).abs() < 1e-12);
         // The fan: ω = 2/(1 + 2t), φ = ln(1 + 2t).
         assert!((v[2] - 2.0 / 9.0).abs() < 1e-11 && (q[2] - 9.0_f64.ln()).abs() < 1e-11);
-        // A polynomial of the seventh degree, t⁷/42.
+        // The growing force: φ = t⁷/42.
         assert!((q[3] - end.powi(7) / 42.0).abs() < 1e-9 * q[3]);
     }
 

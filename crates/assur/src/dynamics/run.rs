@@ -12,13 +12,13 @@ pub const TICKS_PER_SECOND: u32 = 1024;
 /// Duration of a tick, seconds.
 pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 
-/// Maximum product of a step and the fastest rate, small enough for the method to reach its order of accuracy.
+/// Maximum product of a step's length and the fastest rate of the state. Below it the method has its order of accuracy.
 const STEP: f64 = 0.25;
 
 /// Maximum number of halvings of a tick.
 const MAX_HALVINGS: u32 = 12;
 
-/// Maximum product of a tick and the fastest rate.
+/// Maximum product of the length of a tick and the fastest rate of the state; beyond it the run halts.
 pub(super) const QUICKEST: f64 = STEP * (1 << MAX_HALVINGS) as f64;
 
 /// Motion of a differential from its start.
@@ -32,8 +32,8 @@ pub struct Run {
     pub(super) opening: [f64; 2],
 }
 
-/// Angles and speeds of the bodies at the start, in the order of [`Body::ALL`]. The speed of a body that has a given
-/// speed, or follows another body, is ignored.
+/// Angles and speeds of the bodies at the start, in the order of [`Body::ALL`]. The speed is ignored for a body whose
+/// speed is prescribed by the differential, or which follows another body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// Angles, radians.
@@ -139,13 +139,13 @@ impl Run {
     }
 
     /// Continues with another differential from the current state, for example after a change of a load or a drive.
-    /// Given speeds jump to their new values; a new energy balance is started.
+    /// Prescribed speeds jump to their new values, and a new energy balance is started.
     pub fn change(&mut self, differential: Differential) {
         self.differential = differential;
         self.open(self.state.slips.map(|slip| slip.periods));
     }
 
-    /// Sets given speeds, starts a new energy balance, and sets the numbers of slipped periods.
+    /// Sets the prescribed speeds, starts a new energy balance, and sets the numbers of slipped periods.
     fn open(&mut self, slipped: [i64; 2]) {
         let equations = &self.differential.equations;
         self.state.follow(equations, self.state.time());

@@ -90,7 +90,7 @@ pub struct FourBar {
     k: [f64; 3],
     /// s₁ … s₄: for each link, the sum of the other three lengths less its own.
     slack: [f64; 4],
-    /// l₄ − l₁. Exactly zero together with the next field, l₂ − l₃, if the diagonal can vanish (deltoid).
+    /// l₄ − l₁. In a deltoid, whose diagonal BD can vanish, this and l₂ − l₃ are exactly zero.
     frame_less_crank: f64,
     coupler_less_rocker: f64,
 }
@@ -203,7 +203,8 @@ impl Dimension {
     const LENGTHS: [Self; 4] = [Self::Crank, Self::Coupler, Self::Rocker, Self::Frame];
 }
 
-/// Tolerance 8 ε (s + l) of the shortest and longest lengths: sums of lengths that differ by less count as equal.
+/// Tolerance 8 ε (s + l), with the shortest length s, the longest length l and the machine epsilon ε. Sums of lengths
+/// that differ by less count as equal.
 fn tolerance(lengths: &[f64; 4]) -> f64 {
     let [shortest, longest] = extremes(lengths.iter().copied());
     8.0 * f64::EPSILON * (shortest + longest)

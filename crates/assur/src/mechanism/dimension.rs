@@ -69,8 +69,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if a dimension exists. A point shared with the frame, or with a link that must keep its shape, gives none
-    /// if both are one body.
+    /// True if a dimension exists. A point of a link gives none if the link forms one body with another owner of this
+    /// point: with the frame, or with a link that must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -128,7 +128,7 @@ impl Mechanism {
         }
     }
 
-    /// Sensible range of a dimension, with some values that may give no mechanism. None if there is no such dimension.
+    /// Range of values to try for a dimension; some may give no mechanism. None if there is no such dimension.
     pub fn range(&self, dimension: Dimension) -> Option<[f64; 2]> {
         let value = self.value(dimension)?;
         let around = |aside: f64| [value - aside, value + aside];

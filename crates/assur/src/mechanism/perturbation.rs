@@ -60,7 +60,8 @@ const MAX_CHANGE: f64 = 0.2;
 const CONTRACTION: f64 = 0.125;
 /// Maximum first Newton correction, in units of the unknowns.
 const CORRECTED: f64 = 0.03;
-/// Maximum factor by which a group's Jacobian determinant may change, to keep solutions about to meet apart.
+/// Maximum factor by which the Jacobian determinant of a group may change. The determinant tends to zero where two
+/// solutions meet, so with this limit one is not taken for the other.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {
@@ -79,7 +80,7 @@ impl Assembled {
     }
 
     /// Assembles a specification at an input, with one setting that differs from the drawing. Each step joins its links
-    /// on the given side, or as drawn if no sign joins them on this side.
+    /// on the given side, or as drawn if neither sign of its root puts them on this side.
     fn joined(
         before: &Layout,
         mut spec: LinkageSpec,
@@ -208,7 +209,7 @@ impl Layout {
         )
     }
 
-    /// Joins the links of each step on its given side, or as drawn if no sign joins them on this side.
+    /// Joins the links of each step on its given side, or as drawn if neither sign of its root puts them on this side.
     fn join(
         &self,
         spec: &LinkageSpec,
@@ -235,7 +236,7 @@ impl Layout {
         Ok(state)
     }
 
-    /// Side on which a sign joins the links of a step.
+    /// Side on which a sign of the root joins the links of a step.
     fn side(&self, step: StepId, sign: Sign, mounting: &Mounting, state: &State<1>) -> f64 {
         let four_bar = self.steps[step].four_bar();
         four_bar.map_or(sign.factor(), |four_bar| {
@@ -243,7 +244,7 @@ impl Layout {
         })
     }
 
-    /// Step whose links moved too far for a neighbour; None if no links did.
+    /// Step whose links moved too far for a neighbour, or may be in another assembly; None if there is no such step.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, MAX_CHANGE);
         if let Some(body) = moved {
@@ -262,7 +263,7 @@ impl Layout {
         let lost = groups.find(|(step, group)| {
             let margins = [before, state].map(|state| state.margins[*step]);
             let [[a, of_a], [b, of_b]] = margins.map(|both| both.map(|margin| margin.value()));
-            // Pivoting may drop different equations of a redundant group; its determinants cannot be compared.
+            // Pivoting may drop different equations of a redundant group; its determinants are then not comparable.
             let ratio = b / a * (of_b - of_a).exp2();
             let changed = !group.is_redundant() && !(1.0 / CHANGED..=CHANGED).contains(&ratio);
             far || changed

@@ -74,7 +74,7 @@ impl Mechanism {
         (pose.state.place(self.layout.points[point]) + Complex::constant(self.layout.origin)).into()
     }
 
-    /// Position of a point as carried by a link, the same for each of its links. None if the point is not on the link.
+    /// Position of a point of a link, from the pose of this link. None if the point is not on the link.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,

@@ -14,9 +14,9 @@ const BARS: [(Link, Carrier, [&str; 4]); 3] = [
 ];
 
 impl Mixer {
-    /// The mixer as a specification: links `crank`, `coupler`, `rocker`, `wheel4`, fixed to the rocker, and `wheel5`,
-    /// …, hinged to the frame; points A, B, C, D (joints), C1, C2, C3 (centres of mass in the middle of crank, coupler
-    /// and rocker), E5, … (centres of the wheels); tracers P1, ….
+    /// The mixer as a specification. Its links are `crank`, `coupler`, `rocker`, `wheel4` (fixed to the rocker), and
+    /// `wheel5`, … (hinged to the frame). Its points are A, B, C, D (joints), C1, C2, C3 (centres of mass in the middle
+    /// of crank, coupler and rocker), and E5, … (centres of the wheels). Its tracers are P1, ….
     ///
     /// # Errors
     /// The reason why there is no pose to draw.

@@ -10,7 +10,7 @@ use crate::numeric::newton::MAX_STEPS_FROM_DRAWING;
 use crate::sorting::sort_by_key;
 use crate::tolerance;
 
-/// Steps from the drawn pose: angles in radians, and displacements relative to the size of the scheme.
+/// Steps tried from the drawn pose: rotations in radians, displacements relative to the size of the scheme.
 const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
 
 /// Mobility by rank away from the drawn pose.
@@ -119,7 +119,7 @@ impl Scheme {
         None
     }
 
-    /// Each pair after the displacement, as pairs of its first link with each of its other links.
+    /// For each pair, the displaced pairs that its first link forms with each of its other links.
     fn halves(&self, drawn: &[Form], placements: &[Placement]) -> Vec<Vec<Displaced>> {
         let pairs = self.pairs().iter().zip(drawn);
         let between = pairs.map(|(pair, form)| {

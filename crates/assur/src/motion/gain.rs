@@ -9,7 +9,7 @@ use crate::mechanism::{Pose, Quantity};
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,
-    /// The two poses, and their offset from the end.
+    /// The two poses, and the difference of their inputs from the end of the cycle; None if no offset has both poses.
     poses: Option<([Pose<3>; 2], f64)>,
 }
 
@@ -31,7 +31,7 @@ impl Motion {
 }
 
 impl Seam<'_> {
-    /// Growth of a quantity over the cycle: 0 unless the quantity is an unfolded angle.
+    /// Growth of a quantity over the cycle: 0 unless the quantity is an angle that counts whole turns.
     pub(super) fn gain(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::Angle(link) => self

@@ -76,7 +76,8 @@ impl Motion {
             });
             return Ok(found.min_by(by_angle));
         }
-        // The cosine is linear in the square of the diagonal, and this square is found without taking a root.
+        // The cosine of the angle is linear in the square of the diagonal. This square is smooth: it is computed
+        // without a root.
         let diagonal = self.telling(|pose: &Pose<3>| mechanism.diagonal(pose, dyad));
         let diagonal = |input: f64| diagonal(input).ok();
         let reach = mechanism.reach_of(dyad);

@@ -1,5 +1,5 @@
-//! Newton's method; the caller computes the steps. Groups have a loop of their own with buffers (`position::group`): it
-//! runs most often, and it does not apply its last step.
+//! Newton's method; the caller computes the steps. Groups have their own loop with buffers (`position::group`), because
+//! that loop runs most often and does not apply its last step.
 
 /// Maximum number of steps from a nearby guess, where convergence is quadratic: each step doubles the correct digits.
 pub(crate) const MAX_STEPS: usize = 12;

@@ -16,16 +16,15 @@ const MIN_MARGIN: f64 = 1.0 / 64.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct CrankFourBar {
     pub(crate) linkage: FourBar,
-    /// Body of the crank; `angle_offset` is the drawn φ₁, measured from the frame's line AD, minus the angle of this
-    /// body.
     pub(crate) crank: BodyId,
+    /// Drawn φ₁, measured from the frame's line AD, minus the angle of the crank's body.
     angle_offset: f64,
-    /// Body of the coupler; `rocker` is the body of the rocker.
     pub(crate) coupler: BodyId,
     pub(crate) rocker: BodyId,
-    /// Angles of the coupler's body and the rocker's body, less φ₂ and φ₃.
+    /// Angle of the coupler's body minus φ₂, and angle of the rocker's body minus φ₃.
     arm_offsets: [f64; 2],
-    /// Margins P and Q above which the links are placed like those of any dyad; infinite if they never are.
+    /// Bound of the margins P and Q. If both exceed it, the links are placed as in any dyad; infinite if this is never
+    /// permitted.
     min_margin: f64,
     /// Angles of the bodies of coupler and rocker at φ₂ = φ₃ = π/2, each with the unit vector in its direction.
     across: [(f64, Vector); 2],

@@ -55,7 +55,7 @@ pub(crate) struct Mounting {
 }
 
 impl Mounting {
-    /// Mounting of all bodies as planned.
+    /// Mounting without corrections, for a number of bodies.
     pub(crate) fn planned(bodies: usize) -> Self {
         let none: List<BodyId, f64> = vec![0.0; bodies].into();
         Self {

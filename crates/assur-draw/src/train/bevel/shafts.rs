@@ -53,7 +53,7 @@ impl Bevel {
         ]
     }
 
-    /// The carrier's hollow shaft, and working member 8 on it.
+    /// The carrier's hollow shaft, and on the shaft the driven tool, working member 8, such as a fan.
     pub(super) fn eighth(&self, angle: f64) -> [Part; 2] {
         let [left, at] = [self.cage[1], self.hollow];
         let colour = role(Body::Carrier);
@@ -73,7 +73,8 @@ impl Bevel {
         [shaft, member]
     }
 
-    /// The bearings of sun and ring, each with a foot on the ground; `ground` is the angle of the ground, radians.
+    /// The bearings of sun and ring, each with a foot on the ground. `ground` is the rotation of the ground as seen by
+    /// the observer, radians.
     pub(super) fn bearings(&self, ground: f64) -> [Part; 2] {
         let ends = [(self.shafts[0], 1.0), (self.shafts[1], -1.0)];
         ends.map(|(end, inward)| {

@@ -7,8 +7,8 @@ impl Layout {
     /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s, in the order of the paper.
     /// None for stepped and bevel trains, which the paper does not treat. Lengths are in the unit of the module.
     ///
-    /// Given for magnets only: the gaps δ₁₂ and δ₂₄ between pitch circles at sun and ring, and the clearances c₁₂ and
-    /// c₂₄ between tips of standard teeth.
+    /// Only a magnetic coupling has the gaps δ₁₂ and δ₂₄ between pitch circles, at sun and ring, and the clearances c₁₂
+    /// and c₂₄ between tips of standard teeth.
     pub fn relations(&self, coupling: Coupling, speeds: &[f64; 4]) -> Vec<Relation> {
         if self.train().kind() != Kind::Planar {
             return Vec::new();
@@ -109,7 +109,7 @@ impl Layout {
         ]
     }
 
-    /// Values of the ratios 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3).
+    /// Speed ratios 1/3(4), 3/1(4), 3/4(1), 4/3(1), 1/4(3), 4/1(3), where i/j(k) is ωᵢ/ωⱼ with link k fixed.
     fn values(&self) -> [f64; 6] {
         self.train()
             .differential()

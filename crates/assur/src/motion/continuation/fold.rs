@@ -44,7 +44,8 @@ struct CurvePoint {
 }
 
 impl Continuation<'_> {
-    /// Input of the next fold of a group in the given sense; None if there is no fold within the window.
+    /// Input of the next fold of a group in the given sense; None if no fold is found within `window` of the present
+    /// input.
     pub(super) fn fold(&self, step: StepId, sense: f64, window: f64) -> Option<f64> {
         let Step::Group(group) = &self.mechanism.steps()[step] else {
             return None;
@@ -62,7 +63,7 @@ impl Continuation<'_> {
         let [rate, acceleration] = [first * unit, second * (2.0 * unit.powi(2))];
         let tangent = rate.push(1.0).normalize() * sense;
         let mut here = curve.corrected(&value.push(self.input / unit), &tangent, 0.0)?;
-        // A quarter of a lower bound on the radius of curvature.
+        // The first step is a quarter of a lower bound on the radius of curvature.
         let mut step_len = 0.25 * (1.0 + rate.norm_squared()) / acceleration.norm();
         if !step_len.is_finite() {
             return None;

@@ -44,7 +44,7 @@ pub(crate) struct GroupAssemblies {
     pub(crate) real: Vec<GroupAssembly>,
     /// True if the assemblies need no Newton steps: they were tracked, and no derivatives are wanted.
     pub(crate) solved: bool,
-    /// Number of complex assemblies, including the real ones.
+    /// Number of all assemblies over the complex numbers, including the real ones.
     pub(crate) complex: usize,
     /// The assemblies that are not real.
     pub(crate) complex_pairs: Vec<ComplexPair>,
@@ -68,7 +68,7 @@ impl Group {
                 .all(|constraint| constraint.drive.is_some())
     }
 
-    /// Ranges of the pairs driven within the group, with their drive laws.
+    /// Drive laws and ranges of the pairs driven within the group.
     pub(crate) fn ranges(&self) -> impl Iterator<Item = (DriveLaw, [f64; 2])> {
         let drives = self
             .angle_constraints
@@ -142,7 +142,8 @@ impl Group {
         Ok(Some(assemblies))
     }
 
-    /// The last system with the constants for the present inputs; None if anything but constants differs.
+    /// The last system with the constants for the present inputs in place of its own. None if more than constants
+    /// differs.
     fn refreshed<const N: usize>(&self, mut system: System, state: &State<N>) -> Option<System> {
         let sources = system.sources.as_ref().filter(|_| N == 1)?;
         let value = |form: usize| number(state.work.values[form][0]);

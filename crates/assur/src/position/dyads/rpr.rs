@@ -29,8 +29,8 @@ pub(crate) struct Side {
 }
 
 impl Solvable for Rpr {
-    /// Let u be the direction of sliding, d = D − B, and h the constant distance between the parallels through B and D.
-    /// Then d = u (w + ih), so w = σ √(d² − h²) with the assembly sign σ, and u = d (w − ih) / d².
+    /// Let u be the direction of sliding and d = D − B. Let w and h be the components of d along u and across it; h is
+    /// constant. Then d = u (w + ih), so w = σ √(d² − h²) with the assembly sign σ, and u = d (w − ih) / d².
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

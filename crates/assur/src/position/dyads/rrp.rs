@@ -67,8 +67,8 @@ impl Solvable for Rrp {
         }
         let sine = ((length - most) * (length + most)).sqrt() / length;
         // Let n be the line's normal, ω and ε its angular velocity and acceleration, X = C − B, q = `to_c` (from B to a
-        // point fixed to the line's body), σ the displacement of C from that point along the line. Then
-        // n·X″ = n·q″ + 2σ′ω + σε, where |σ′| ≤ |X′| + |q′|.
+        // point fixed to the line's body), λ the displacement of C from that point along the line. Then
+        // n·X″ = n·q″ + 2λ′ω + λε, where |λ′| ≤ |X′| + |q′|.
         let free = sine - cell.step_len * max_turn_rate;
         if free <= 0.0 {
             return false;

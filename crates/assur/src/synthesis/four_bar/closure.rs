@@ -15,7 +15,7 @@ pub(super) struct Direction {
     pub(super) input_angle: f64,
 }
 
-/// Residual of the contour at a position.
+/// Coupler angle that best closes the loop at a position, and the remaining residual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure {
     /// φ₁ = arg r: the coupler's angle with the least residual, φ₀ plus an angle within (−π, π]. If the gap r is zero,
@@ -31,7 +31,8 @@ impl Direction {
         Complex::new(1.0, 0.0) - self.output * output - self.input * input
     }
 
-    /// Product e₂ × r, which does not contain z₂: positive if C lies to the left of BD, negative to its right.
+    /// Product e₂ × r, which does not contain z₂. Positive if the coupler's joint with the output lies to the left of
+    /// the line from its joint with the input to the output's pivot, negative to the right.
     pub(super) fn side(&self, input: f64) -> f64 {
         -self.output.im - input * cross(self.output, self.input)
     }

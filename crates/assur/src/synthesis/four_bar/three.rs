@@ -9,7 +9,7 @@ use crate::tolerance;
 pub enum ThreePositions {
     /// Exactly one linkage.
     One(Solution),
-    /// The intersection has a negative length; with that link's angles changed by half a turn there is a linkage.
+    /// At the intersection a length is negative. With that link's angles changed by half a turn there is a linkage.
     Negative {
         /// z₂.
         output: f64,
@@ -18,7 +18,7 @@ pub enum ThreePositions {
     },
     /// No linkage, with the two lines: they are parallel, or meet where a length is infinite or the coupler's is zero.
     None([Line; 2]),
-    /// The positions give only one line: holds the solutions for two of them.
+    /// The positions give only one line. The solutions for two of the positions satisfy all three.
     Same(TwoPositions),
 }
 

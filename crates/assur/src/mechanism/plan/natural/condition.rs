@@ -11,17 +11,18 @@ use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, 
 
 /// Condition between linear forms. It gives one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// Unit length of a direction. The number is the distance between two points in this direction, or 0; multiplied
-    /// by this distance, the residual is a length.
+    /// Unit length of a direction. If two points define the direction, the number is their distance, which turns the
+    /// residual into a length; otherwise it is 0.
     Unit(Form, f64),
     Zero(Form),
-    /// Component of the vector `way` along a unit direction, prescribed by the angle constraint with index `mesh`.
+    /// Component of the vector `way` along a unit direction, prescribed by a drive; `mesh` is the index of the angle
+    /// constraint that holds the drive.
     Along {
         direction: Form,
         way: Form,
         mesh: usize,
     },
-    /// Turns of bodies with coefficients of their angles, and the index of the angle constraint for the weighted sum.
+    /// Weighted sum of angles: the turn of each body with the weight of its angle; index of the angle constraint.
     AngleConstraint(Vec<(Form, f64)>, usize),
     /// Vector `way` parallel to a direction. `length` is 1 if `way` joins two points, so that the residual is a length,
     /// and 0 if `way` is itself a direction.

@@ -43,7 +43,8 @@ impl<const N: usize> Descent<N> {
         k < 2 && (self.x[k] <= least && slope > 0.0 || self.x[k] >= greatest && slope < 0.0)
     }
 
-    /// Tries one step. If ΣJ does not decrease, the point stays and the next step is shorter. Sets `over` at the end.
+    /// Tries one step. If ΣJ does not decrease, the point stays and the next step is shorter. Sets `over` if no
+    /// further step is useful.
     pub(super) fn step(&mut self, objective: &Objective) {
         let bounds = objective.bounds();
         let held: [bool; N] = std::array::from_fn(|k| self.held(bounds, k));
