@@ -186,7 +186,8 @@ enum Small {
 }
 
 impl Small {
-    /// Selects the clearly visible motion of a pair that moves the point `at` farthest in the direction `away`.
+    /// Selects one motion of a pair for opening a cut. If the kind of pair leaves its direction open, the motion moves
+    /// the point `at` farthest in the direction `away`.
     fn of(pair: &Pair, here: Point3, at: Point3, away: Vector3, size: f64) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
         let best = || {

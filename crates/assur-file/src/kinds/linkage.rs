@@ -173,8 +173,8 @@ pub enum MeshDocument {
     AsPrinted,
 }
 
-/// A driven pair: a crank with its base, or a slide with its range. One type serves for both, so that the path of an
-/// error ends at the field at fault.
+/// A driven pair: a crank with its base, or a slide with its range. One type serves for both, so that an error message
+/// can give the path of the faulty field.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
