@@ -12,7 +12,7 @@ const TURN: usize = 720;
 const COARSEST_TURN: usize = 60;
 /// Maximum number of sampled values, of all quantities together.
 const MAX_VALUES: usize = 1 << 18;
-/// Approximate number of difference quotients shown in a run, if there are few runs.
+/// Approximate number of difference quotients shown in an unbroken run of samples, if there are few runs.
 const DIFFERENCES: usize = 72;
 /// Number of runs beyond which the total number of difference quotients no longer grows.
 const FEW_RUNS: usize = 4;

@@ -13,11 +13,11 @@ use crate::parts;
 
 /// Radius of the circle around a number, in symbol units.
 const CIRCLE: f64 = 1.9;
-/// Position of the number on a bar, as a share of the length.
+/// Position of the number on a bar, as a share of the bar's length.
 const MIDDLE: f64 = 0.5;
-/// Position of the number on a driver, as a share of the length: beyond the arc of the input, if there is room.
+/// Position of the number on a driving bar, as a share of its length, if there is room beyond the arc of the input.
 const BEYOND_ARC: f64 = 0.75;
-/// Least distance of the number from the end of a driver, in symbol units.
+/// Least distance of the number from the end of a driving bar, in symbol units.
 const ROOM: f64 = 3.2;
 /// Offset of a number from the pin beside which it stands, in text heights.
 const BESIDE: [f64; 2] = [1.5, -1.5];

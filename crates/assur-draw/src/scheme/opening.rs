@@ -25,7 +25,8 @@ pub(super) struct Chain<'a> {
     size: f64,
 }
 
-/// Last step of the path from the ground to a link: the pair, and the link before it.
+/// Last step of the path from the ground to a link: the pair, and the link before it. None for the ground and for a
+/// link that is not connected to it.
 type Reached = Option<(usize, usize)>;
 
 impl<'a> Chain<'a> {

@@ -44,7 +44,8 @@ impl Equations {
         })
     }
 
-    /// Square of the natural frequency of the phase of a mesh, (rad/s)²: the mesh's energy amplitude times the sum of all n²/J.
+    /// Square of the natural frequency of the phase of a mesh, (rad/s)²: the energy amplitude of the mesh times the sum
+    /// of n²/J over the bodies.
     pub(super) fn stiffness(&self, mesh: Mesh) -> f64 {
         let field = self.mesh(mesh);
         field.energy * self.yielding(&field.factors).iter().sum::<f64>()

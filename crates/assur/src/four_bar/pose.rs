@@ -84,8 +84,8 @@ impl FourBar {
     /// positions, `pose::<3>` for φ′ and φ″.
     ///
     /// Each angle is the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD: mixer paper
-    /// (3)–(7), but in the correct quadrant. These sums are differentiated directly and stay exact through a change point, where the
-    /// paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
+    /// (3)–(7), but in the correct quadrant. These sums are differentiated directly and stay exact through a change
+    /// point, where the paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.

@@ -23,8 +23,8 @@ const TRIES: u32 = 24;
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
-    /// Finds the drawn configuration from a guess, and the start of the motion. Each group adopts the order in which its
-    /// equations are eliminated in the drawn pose.
+    /// Finds the drawn configuration from a guess, and the start of the motion. Each group adopts the order in which
+    /// its equations are eliminated in the drawn pose.
     pub(super) fn settle(
         &mut self,
         spec: &LinkageSpec,

@@ -53,9 +53,9 @@ pub struct Subsystem {
     pub third: Unknown,
     /// The other two unknowns.
     pub of: [Unknown; 2],
-    /// P of each of the other two.
+    /// Constant term P for each of these two.
     pub constant: [f64; 2],
-    /// Q of each of the other two.
+    /// Coefficient Q of the third unknown for each of these two.
     pub slope: [f64; 2],
 }
 
