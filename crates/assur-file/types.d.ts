@@ -221,31 +221,31 @@ author?: string,
 steps: Array<StepDocument>, };
 export type LinkDocument = { 
 /**
- * Its name.
+ * Name of the link.
  */
 name: string, 
 /**
- * Its points. The link's angle is the direction from the first to the second.
+ * Points of the link. The link's angle is the direction from the first to the second.
  */
 points: Array<string>, 
 /**
- * The distance between its two points, if not as drawn.
+ * Distance between the two points of the link, if not as drawn.
  */
 length?: number | null, 
 /**
- * The coordinates of its points on the link, if not as drawn.
+ * Coordinates of the points in any axes fixed to the link, if not as drawn.
  */
 shape?: Array<[number, number]> | null, 
 /**
- * The link to which it is rigidly fixed, or `frame`.
+ * The link to which this link is rigidly fixed, or `frame`.
  */
 fixed_to?: string | null, 
 /**
- * Its centre of mass, one of its points.
+ * Centre of mass of the link, one of its points.
  */
 centre_of_mass?: string | null, 
 /**
- * Its mass, kilograms.
+ * Mass of the link, kilograms.
  */
 mass_kg?: number | null, };
 export type LinkageDocument = { 
@@ -522,7 +522,7 @@ opacity: number, };
 export type PlaceDocument = [number, number] | [number, number, number];
 export type PointDocument = { 
 /**
- * Its name.
+ * Name of the point.
  */
 name: string, 
 /**
@@ -656,7 +656,7 @@ export type SlideDocument = {
  */
 link: string, 
 /**
- * The point of this link that keeps its drawn distance from the line.
+ * Point of the sliding link that keeps its drawn distance from the line.
  */
 point: string, 
 /**
@@ -664,7 +664,7 @@ point: string,
  */
 on: string, 
 /**
- * Two points of that link through which the line passes.
+ * Two points through which the line passes, on the link that carries it.
  */
 line: [string, string], };
 export type SpeedUnit = "rad_per_s" | "per_min";
@@ -730,15 +730,15 @@ trial?: [number, number, number] | null,
 function?: FunctionDocument | null, };
 export type TracerDocument = { 
 /**
- * Its name, different from those of all points.
+ * Name of the traced point, different from the names of all points.
  */
 name: string, 
 /**
- * The link to which it is fixed.
+ * The link to which the traced point is fixed.
  */
 link: string, 
 /**
- * Its coordinates on the link: x from the link's first point towards the second, y to the left.
+ * Coordinates of the traced point on the link: x from the link's first point towards the second, y to the left.
  */
 at: [number, number], };
 export type VariedDocument = { 

@@ -116,7 +116,7 @@ pub struct LinkDocument {
     /// Distance between the two points of the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<f64>,
-    /// Coordinates of the points in axes of the link, if not as drawn.
+    /// Coordinates of the points in any axes fixed to the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<Vec<[f64; 2]>>,
     /// The link to which this link is rigidly fixed, or `frame`.
