@@ -181,7 +181,7 @@ impl Told<'_> {
     }
 }
 
-/// Number of turns after which a cyclic branch repeats.
+/// Number of turns of the crank after which a cyclic branch repeats; none for any other branch.
 fn turns(branch: &Branch) -> Option<u64> {
     let cycle = branch.motion.cycle();
     let period = cycle.period().filter(|_| cycle.is_full());

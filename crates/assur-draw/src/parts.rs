@@ -203,7 +203,8 @@ pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
     (place - nearest(place, from, to)).norm()
 }
 
-/// Returns the distance of a point from a convex plate, corners counter-clockwise: zero on it, none without corners.
+/// Returns the distance of a point from a convex plate whose corners are counter-clockwise; zero for a point on the
+/// plate, none for a plate without corners.
 pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> {
     if let [only] = corners {
         return Some((place - only).norm());

@@ -22,7 +22,7 @@ const MIN_SIDE: f64 = 1e-3;
 /// Limit of the gradient of half the squared distance from the targets, relative to the size. Below it, distances
 /// differ only by rounding, so a step is judged by the decrease of the gradient.
 const FINE: f64 = 1e-5;
-/// Regularisation of the equations of locks: dependent locks need it, and it is too small to affect others.
+/// Number added to the diagonal of the equations of locks. Dependent locks need it; it hardly affects other locks.
 const TWICE: f64 = 1e-12;
 /// Greatest correction of a step, relative to the length of the step.
 const MAX_CORRECTION: f64 = 0.3;
@@ -142,7 +142,7 @@ impl Drawing {
         let free: Vec<bool> = names.iter().map(|name| !is_fixed(name)).collect();
         let (places, reached) = held.moved(&before, &free, &targets);
         let named = names.into_iter().zip(places).zip(before);
-        // Points at rest keep their exact coordinates; points at their targets get the exact coordinates of these.
+        // Points at rest keep their exact coordinates; points at their targets get the targets' coordinates.
         let named = named.filter_map(|((name, to), from)| {
             let there = wanted.get(name).filter(|_| reached);
             let moved = (to != from).then_some(to + middle.coords);

@@ -18,7 +18,8 @@ pub use problem::ImportProblem;
 /// Maximum length of a text that is read, in bytes; the largest possible linkage is far shorter.
 const MAX_BYTES: usize = 1 << 20;
 
-/// Maximum number of parts, far above that of a linkage. The time to name and join them grows faster than their number.
+/// Maximum number of parts of a mechanism, far above the number in any real linkage. The time to name and join the
+/// parts grows faster than their number.
 const MAX_PARTS: usize = 1000;
 
 /// # Errors

@@ -197,7 +197,7 @@ impl Sketch {
         let mut still = Vec::new();
         while let Some(bar) = self.held(&into) {
             self.fix(&mut into, bar);
-            // A bar with only two joints just draws the frame; it is not listed.
+            // A bar with only two joints merely draws the frame, so it is not listed as left out.
             let told = |joint: &usize| !self.joints[*joint].own;
             if self.bars[bar].joints.len() > 2 && !self.bars[bar].joints.iter().any(told) {
                 still.push(self.bars[bar].name.clone());

@@ -62,7 +62,7 @@ impl Workspace {
     }
 }
 
-/// The folder of cargo itself.
+/// The home folder of cargo.
 pub(crate) fn cargo_home() -> Result<PathBuf> {
     let named = env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = named.or_else(|| env::home_dir().map(|home| home.join(".cargo")));

@@ -43,7 +43,7 @@ pub(super) fn task_error(error: &TaskError) -> String {
     }
 }
 
-/// Formats positions on a function as lines `position PHI2,PHI3`, with values as for the option `--position`.
+/// Formats positions on a function as lines `position PHI2,PHI3`; PHI2,PHI3 can be copied to the option `--position`.
 pub(super) fn positions(given: &[Degrees]) -> impl Iterator<Item = String> + '_ {
     let said = |one: &Degrees| {
         format!(
@@ -188,7 +188,7 @@ pub(super) fn value(value: &Value) -> String {
     }
 }
 
-/// Formats a number with ten significant digits.
+/// Formats a number with at most ten significant digits.
 fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {

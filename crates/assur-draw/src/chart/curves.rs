@@ -12,7 +12,7 @@ const TURN: usize = 720;
 const COARSEST_TURN: usize = 60;
 /// Maximum number of sampled values, of all quantities together.
 const MAX_VALUES: usize = 1 << 18;
-/// Approximate number of difference quotients shown in a run, if there are few runs.
+/// Approximate number of difference quotients shown in an unbroken run of samples, if there are few runs.
 const DIFFERENCES: usize = 72;
 /// Number of runs beyond which the total number of difference quotients no longer grows.
 const FEW_RUNS: usize = 4;
@@ -68,13 +68,13 @@ pub(crate) struct Plot {
 /// A curve over the input.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Curve {
-    /// Unbroken runs of points.
+    /// Unbroken runs of points (input, value).
     runs: Vec<Vec<(f64, f64)>>,
     /// Unbroken runs of points of the curve shown for comparison.
     pub(super) compared: Vec<Vec<(f64, f64)>>,
     /// Zeros and extrema, marked by dots.
     marks: Vec<Mark>,
-    /// Difference quotients of the first derivative, on the plot of the second.
+    /// Points (input, second derivative estimated from difference quotients of the first).
     pub(crate) differences: Vec<(f64, f64)>,
 }
 
@@ -124,8 +124,8 @@ pub(crate) fn plots(
     })
 }
 
-/// Returns the range of samples of a run at which a derivative is plotted. If derivatives may be unbounded, those at
-/// the very ends are mere rounding error. The samples beside the ends have correct digits and look the same.
+/// Returns the index range of the samples of a run that are plotted for a derivative of this order. If derivatives may
+/// be unbounded, their values at the first and last sample are mere rounding error, so these two samples are left out.
 pub(super) fn told(run: &[At], order: usize, full: bool) -> std::ops::Range<usize> {
     let ends = usize::from(order > 0 && !full && run.len() > 2);
     ends..run.len() - ends

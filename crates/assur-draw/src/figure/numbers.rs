@@ -13,15 +13,15 @@ use crate::parts;
 
 /// Radius of the circle around a number, in symbol units.
 const CIRCLE: f64 = 1.9;
-/// Position of the number on a bar, as a share of the length.
+/// Position of the number on a bar, as a share of the bar's length.
 const MIDDLE: f64 = 0.5;
-/// Position of the number on a driver, as a share of the length: beyond the arc of the input, if there is room.
+/// Position of the number on a driving bar, as a share of its length, if there is room beyond the arc of the input.
 const BEYOND_ARC: f64 = 0.75;
-/// Least distance of the number from the end of a driver, in symbol units.
+/// Least distance of the number from the end of a driving bar, in symbol units.
 const ROOM: f64 = 3.2;
-/// Offset of a number without a circle, in text heights.
+/// Offset of a number from the pin beside which it stands, in text heights.
 const BESIDE: [f64; 2] = [1.5, -1.5];
-/// Anchor of a number beside a support, relative to the support, in symbol units times the size of the support.
+/// Anchor of a number beside a support, measured from the pivot, in symbol units for a support of size 1.
 const AT_SUPPORT: [f64; 2] = [2.3, -2.6];
 /// Offset of a number from its anchor beside a support, in text heights.
 const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
@@ -43,11 +43,12 @@ enum Place {
     Driving([Point; 2]),
     /// Beside the pin of a block or wheel.
     Beside(Point),
-    /// Beside a support of this size.
+    /// Beside the support of a fixed pivot: the pivot and the size of the support, in symbol units.
     Support(Point, f64),
 }
 
-/// Returns the numbers of bodies, as annotated or else in document order, except wheels with a number beside the rim.
+/// Returns the numbers of the moving bodies, as annotated or else in document order, and 0 at each support. Wheels with
+/// a number beside the rim are left out.
 pub(super) fn numbers(
     home: Posed<'_, 1>,
     layout: &Layout,

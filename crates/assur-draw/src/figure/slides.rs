@@ -21,7 +21,7 @@ const ARROW: f64 = 4.0;
 const BESIDE: f64 = 3.4;
 /// Distance from the walls of a channel up to which its inside is cleared, in symbol units.
 const WALL: f64 = 0.15;
-/// Interval between the poses examined to find the outer side of a guide, as a number of poses.
+/// Number of poses from one examined pose to the next, in the search for the outer side of a guide.
 const LOOKED_AT: usize = 16;
 /// Limit of the mean offset of a mechanism's points below a line, relative to their mean distance from the line's
 /// start. Above the limit, the mechanism counts as lying below the line.
@@ -92,7 +92,7 @@ pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &V
             // A slot is at least as long as the line on its link.
             (Way::Slot, [low.min(0.0), high.max(length)])
         } else {
-            // A rod begins at the outline of its link.
+            // If the block does not reach the line on the link, the rod is extended to that line.
             (Way::Rod, [low.min(length), high.max(0.0)])
         };
         let (_, on_angle) = home.body(on);
@@ -146,7 +146,8 @@ fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Po
     if below > ONE_SIDED * far { -down } else { down }
 }
 
-/// Returns the ends of the ground line and a point at its hatching's lower edge; none if far from the drawing.
+/// Returns the ends of the ground line and a point at the lower edge of its hatching. None if the drawing has no ground
+/// line or the line is far from the mechanism.
 pub(super) fn ground(
     [left, bottom, right, top]: [f64; 4],
     size: f64,

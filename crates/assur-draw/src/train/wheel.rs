@@ -12,9 +12,9 @@ use crate::parts;
 /// The colours of north and south poles.
 pub(super) const POLES: [Role; 2] = [Role::Accent5, Role::X];
 
-/// Width of a ring's rim behind its teeth or plates: in modules, and its minimum relative to the radius.
+/// Width of a ring's rim behind its teeth or plates, in modules; then the minimum width relative to the radius.
 const RIM: (f64, f64) = (2.75, 0.045);
-/// Height of a plate: in modules, and its maximum relative to the wheel's radius.
+/// Height of a plate, in modules; then the maximum height relative to the wheel's radius.
 const PLATE: (f64, f64) = (1.1, 0.4);
 /// The share of the pitch that a plate takes up.
 pub(super) const SHARE: f64 = 0.66;

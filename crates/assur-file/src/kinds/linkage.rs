@@ -85,7 +85,7 @@ pub struct LinkageDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct PointDocument {
-    /// Its name.
+    /// Name of the point.
     pub name: String,
     /// Drawn coordinates x, y.
     pub at: [f64; 2],
@@ -96,11 +96,11 @@ pub struct PointDocument {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub struct TracerDocument {
-    /// Its name, different from those of all points.
+    /// Name of the traced point, different from the names of all points.
     pub name: String,
-    /// The link to which it is fixed.
+    /// The link to which the traced point is fixed.
     pub link: String,
-    /// Its coordinates on the link: x from the link's first point towards the second, y to the left.
+    /// Coordinates of the traced point on the link: x from the link's first point towards the second, y to the left.
     pub at: [f64; 2],
 }
 
@@ -109,23 +109,23 @@ pub struct TracerDocument {
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct LinkDocument {
-    /// Its name.
+    /// Name of the link.
     pub name: String,
-    /// Its points. The link's angle is the direction from the first to the second.
+    /// Points of the link. The link's angle is the direction from the first to the second.
     pub points: Vec<String>,
-    /// The distance between its two points, if not as drawn.
+    /// Distance between the two points of the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<f64>,
-    /// The coordinates of its points on the link, if not as drawn.
+    /// Coordinates of the points in any axes fixed to the link, if not as drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shape: Option<Vec<[f64; 2]>>,
-    /// The link to which it is rigidly fixed, or `frame`.
+    /// The link to which this link is rigidly fixed, or `frame`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed_to: Option<String>,
-    /// Its centre of mass, one of its points.
+    /// Centre of mass of the link, one of its points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub centre_of_mass: Option<String>,
-    /// Its mass, kilograms.
+    /// Mass of the link, kilograms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_kg: Option<f64>,
 }
@@ -137,11 +137,11 @@ pub struct LinkDocument {
 pub struct SlideDocument {
     /// The link that slides.
     pub link: String,
-    /// The point of this link that keeps its drawn distance from the line.
+    /// Point of the sliding link that keeps its drawn distance from the line.
     pub point: String,
     /// The link that carries the line, or `frame`.
     pub on: String,
-    /// Two points of that link through which the line passes.
+    /// Two points through which the line passes, on the link that carries it.
     pub line: [String; 2],
 }
 
@@ -173,8 +173,8 @@ pub enum MeshDocument {
     AsPrinted,
 }
 
-/// A driven pair: a crank with its base, or a slide with its range. One type serves for both, so that the path of an
-/// error ends at the field at fault.
+/// A driven pair: a crank with its base, or a slide with its range. One type serves for both, so that an error message
+/// can give the path of the faulty field.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]

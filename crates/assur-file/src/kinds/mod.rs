@@ -27,7 +27,7 @@ use synthesis::SynthesisDocument;
 
 /// Properties of a document of any kind.
 pub trait Kind {
-    /// Name of the catalogue mechanism from which the document was made.
+    /// Name of the catalogue mechanism from which the document was made, if any.
     fn origin(&self) -> Option<&str> {
         None
     }
@@ -70,7 +70,7 @@ pub trait Kind {
 pub struct Moved {
     /// The linkage.
     pub document: LinkageDocument,
-    /// Its motion.
+    /// Motion of the linkage.
     pub motion: Motion,
     /// Plotted quantities, either all angles or all coordinates.
     pub plotted: Vec<Quantity>,

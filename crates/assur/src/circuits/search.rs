@@ -3,8 +3,8 @@
 //!
 //! Completeness: between two neighbouring ends of branches, the number of assemblies is constant unless a branch was
 //! missed. At the ends of a missed branch, a conjugate pair of complex assemblies becomes real, and complex again.
-//! Outside the branch, their squared distance goes to zero about linearly: its value and slope at a sample predict the
-//! input of the fold. The interval to the next sample is divided until the fold is found or the pair recedes.
+//! Near a fold, the squared distance of the pair is about linear in the input: its value and slope at a sample predict
+//! the input of the fold. The interval to the next sample is divided until the fold is found or the pair moves apart.
 
 use std::f64::consts::TAU;
 
@@ -18,17 +18,17 @@ use crate::tolerance;
 
 /// Position of a new sample, as a fraction of an interval. Avoids special poses, in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// A complex pair is about to become real if its extrapolated zero is nearer than this many gaps between divisions.
+/// Maximum distance, in widths of a gap, of the extrapolated zero of a complex pair that may become real in the gap.
 const EXTRAPOLATION: f64 = 1.5;
-/// A pair that becomes real before this fraction of a gap belongs to a new branch, not to the one at the gap's end.
+/// A pair that becomes real before this fraction of a gap belongs to a new branch, not to one known at the gap's end.
 const EARLY: f64 = 0.8;
 
 /// Density of the search for all motions of a linkage, and the limits of its work. The default finds all motions in the
 /// tests of this engine. A denser search is slower, and finds branches that exist only over a shorter interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Thoroughness {
-    /// Number of initial samples per turn, or over the range of a slide, for linkages of dyads alone: 144. Many of
-    /// these have further assemblies only over a short interval, and a sample of dyads is cheap.
+    /// Number of initial samples per turn, or over the range of a slide, for linkages of dyads alone: 144. Many such
+    /// linkages have further assemblies only over a short interval, and dyads are solved quickly.
     pub samples_of_dyads: usize,
     /// Number of initial samples per turn, or over the range of a slide, for linkages with other groups: 24.
     pub samples_of_groups: usize,
@@ -291,8 +291,8 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// Inputs for new samples near the dead points at which only one branch is known to end. Eight distances are tried,
-    /// because the other branch may be short.
+    /// Inputs for new samples near the dead points at which only one branch is known to end. Eight distances from the
+    /// dead point are tried, because the other branch may be short.
     fn inputs_near_ends(&self) -> Vec<f64> {
         let unmatched = Meetings::of(&self.branches, &self.domain).unmatched;
         let inputs = unmatched.into_iter().filter_map(|[end, back]| {

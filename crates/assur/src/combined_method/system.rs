@@ -1,4 +1,5 @@
-//! The constraint equations with (3) to (5) substituted: six linear equations for the analogues of E, G and C.
+//! The paper's constraint equations with its (3) to (5) substituted: six linear equations for the analogues of E,
+//! G and C.
 
 use super::first::First;
 use super::places::Places;

@@ -29,8 +29,8 @@ impl Stiffness {
 }
 
 impl Equations {
-    /// Response of each body to a generalized torque with the coefficients n: n²/J if the body moves under torques,
-    /// otherwise 0. The n and J of a body include those of the bodies that follow it.
+    /// Response of each body to a torque that acts on the bodies with the coefficients n (`factors`): n²/J if the body
+    /// moves under torques, otherwise 0. A body's n and moment of inertia J include the bodies that follow its motion.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {
@@ -44,7 +44,8 @@ impl Equations {
         })
     }
 
-    /// Square of the natural frequency of the phase of a mesh, E Σ nᵢ²/Jᵢ, (rad/s)².
+    /// Square of the natural frequency of the phase of a mesh, (rad/s)²: the energy amplitude of the mesh times the sum
+    /// of n²/J over the bodies.
     pub(super) fn stiffness(&self, mesh: Mesh) -> f64 {
         let field = self.mesh(mesh);
         field.energy * self.yielding(&field.factors).iter().sum::<f64>()
@@ -87,7 +88,7 @@ impl Equations {
         let passing = Mesh::ALL.map(|mesh| {
             let field = self.mesh(mesh);
             let rate = field.phase(speeds);
-            // Rate of the phase as its potential passes the minimum: the same in every period of a slip.
+            // Rate of the phase at the minimum of its potential: the same in every period of a slip.
             let height = field.potential(field.folded(angles).1) / field.energy;
             (rate * rate + 2.0 * self.stiffness(mesh) * height).sqrt()
         });

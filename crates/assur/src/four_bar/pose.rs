@@ -83,9 +83,9 @@ impl FourBar {
     /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with `N − 1` derivatives: `pose::<1>` for
     /// positions, `pose::<3>` for φ′ and φ″.
     ///
-    /// Each angle is φ₅ + σ atan2(4S, dot product), with φ₅ the direction of BD: mixer paper (3)–(7), but in the
-    /// correct quadrant. This is differentiated directly and stays exact through a change point. The paper's (10)–(13)
-    /// divide by sin(φ₃ − φ₂).
+    /// Each angle is the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD: mixer paper
+    /// (3)–(7), but in the correct quadrant. These sums are differentiated directly and stay exact through a change
+    /// point, where the paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -105,8 +105,8 @@ impl FourBar {
         self.pose_along(assembly, crank)
     }
 
-    /// The pose along the motion of an assembly. If B coincides with D it is the limit of the pose, the same from both
-    /// sides because the motion is smooth there.
+    /// The pose along the motion of an assembly. If B coincides with D, the result is the limit of the pose, the
+    /// same from both sides because the motion is smooth there.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -209,7 +209,8 @@ impl FourBar {
         [half + -FRAC_PI_2, interior, interior]
     }
 
-    /// √P and √Q, signed so that the motion is smooth; their product is 4S. `sin` and `cos` are those of φ₁/2.
+    /// √P and √Q of the factors P and Q in the module's 16 S² = P Q, signed so that the motion is smooth. `sin` and
+    /// `cos` are those of φ₁/2.
     pub(super) fn area_roots<const N: usize>(
         &self,
         crank: f64,
@@ -239,9 +240,9 @@ impl FourBar {
         Ok([root_p, root_q])
     }
 
-    /// The smooth square root of `ends[0] + weight half²`, which equals `ends[1] − weight other²` and is the factor P
-    /// or Q. Each factor is the product of a difference and a sum of two lengths. Multiplied by `reach`, which is the
-    /// sum, a tolerance of the difference becomes a tolerance of the factor.
+    /// The smooth square root of the factor P or Q: `ends[0] + weight half²`, which equals `ends[1] − weight other²`.
+    /// Each factor is the product of a difference and a sum of two lengths. The sum is `reach`; multiplied by it, a
+    /// tolerance of the difference becomes a tolerance of the factor.
     fn root<const N: usize>(
         &self,
         [half, other]: [Jet<N>; 2],
@@ -269,9 +270,9 @@ impl FourBar {
         }
     }
 
-    /// Whole turns missing in the principal values of the angles of BCD at B and D. Only one of them can pass π, and
-    /// only if the area changes its sign at φ₁ = 0: the angle at B if the coupler is shorter than the rocker, otherwise
-    /// at D. The number of passes follows from the turns of the crank, so no history is needed.
+    /// Whole turns missing in the principal values of the angles of BCD at B and D, radians. Only one angle can pass π,
+    /// and only if the area changes its sign at φ₁ = 0: the angle at B if the coupler is shorter than the rocker,
+    /// otherwise at D. The number of passes follows from the turns of the crank, so no history is needed.
     fn turns(&self, assembly: Assembly, crank: f64) -> [f64; 2] {
         if !self.changes_at_zero() {
             return [0.0; 2];

@@ -23,7 +23,8 @@ const TRIES: u32 = 24;
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
-    /// Finds the drawn configuration, from a guess, and the start of motion. Groups eliminate as in the drawn pose.
+    /// Finds the drawn configuration from a guess, and the start of the motion. Each group adopts the order in which
+    /// its equations are eliminated in the drawn pose.
     pub(super) fn settle(
         &mut self,
         spec: &LinkageSpec,
@@ -36,7 +37,7 @@ impl Layout {
             let sign = self.drawn_sign(spec, step, &at, &mut state);
             let sign = sign.map_err(|cause| vec![self.open(spec, step, Some(cause))])?;
             at.signs[step] = sign;
-            // The chosen sign is solved last, so that the state is the drawn pose.
+            // The step is solved again with the chosen sign, so that `state` is the drawn pose.
             let solved = self.try_step(step, sign, &at, &mut state);
             solved.map_err(|cause| vec![self.open(spec, step, Some(cause))])?;
             if let Step::Group(group) = &mut self.steps[step] {

@@ -110,6 +110,7 @@ impl Layout {
     }
 
     /// Number of turns after which all drivers and the selected bodies that turn in proportion to the input return.
+    /// None if the drivers have no period.
     fn together(&self, counts: impl Fn(BodyId) -> bool) -> Option<usize> {
         let period_turns = self.period_turns?;
         let rates = self.rates_of_bodies();

@@ -15,7 +15,7 @@ impl Mechanism {
         link.map_or(place.coords, |link| self.on_link(pose, link, place))
     }
 
-    /// The tracer with a given id; None for a point that is no tracer.
+    /// The tracer with a given id; None for a point that is not a tracer.
     pub fn tracer(&self, point: PointId) -> Option<&TracerSpec> {
         let tracer = point.index().checked_sub(self.layout.listed)?;
         self.spec.tracers.get(tracer)

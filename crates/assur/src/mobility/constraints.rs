@@ -13,7 +13,7 @@ pub(super) struct Constraints {
     wrenches: Vec<Vec<Screw>>,
     /// Indices of the components of a screw in this space.
     components: &'static [usize],
-    /// First column of the unknowns of each pair; at the end, the number of all columns.
+    /// First column of the unknowns of each pair, then the total number of columns.
     starts: Vec<usize>,
 }
 
@@ -152,8 +152,8 @@ impl Space {
 }
 
 impl Pair {
-    /// Sign of a link in the constraints between the pair's links 0 and `other` + 1: −1 for the former, 1 for the
-    /// latter, 0 for any third link.
+    /// Sign of a link in the constraints between two links of the pair, those with the indices 0 and `other` + 1 in its
+    /// list: −1 for the former, 1 for the latter, 0 for any third link.
     pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
         if self.links.first() == Some(&link) {
             -1.0

@@ -31,7 +31,7 @@ impl Scheme {
         relation("001.(3)", "q", counts.redundant(whole), -spatial - whole);
         if let Some(open) = sections {
             let left = |weight: fn(isize) -> isize| sum(&open.left, weight);
-            // As printed, each term contains Pᵢ twice.
+            // As printed, each term contains the factor Pᵢ twice.
             let squared = |(i, count): (&u8, &usize)| isize::from(*i) * (count * count) as isize;
             let twice = open.left.iter().map(squared).sum();
             let [freedoms, removed, in_space] =
@@ -72,7 +72,7 @@ impl Scheme {
     }
 }
 
-/// The sum of Pᵢ, weighted by a function of i.
+/// The sum of the numbers Pᵢ of pairs with i freedoms, weighted by a function of i.
 fn sum(pairs: &BTreeMap<u8, usize>, weight: fn(isize) -> isize) -> isize {
     let terms = pairs
         .iter()

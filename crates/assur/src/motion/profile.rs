@@ -53,9 +53,9 @@ pub struct OutputProfile<'a> {
     buffer: RefCell<Pose<1>>,
     /// Inputs and values at the ends of the pieces in one cycle: extrema, and the ends of an arc.
     pub(super) stations: Vec<[f64; 2]>,
-    /// Period of a full cycle.
+    /// Period of the motion; None if it is not a full cycle.
     pub(super) period: Option<f64>,
-    /// Growth of the value over a full cycle.
+    /// Increase of the value over the period; 0 if there is no period.
     pub(super) gain: f64,
     /// Inputs and values of the extrema on every arc.
     pub(super) extrema: Vec<[f64; 2]>,

@@ -1,4 +1,4 @@
-//! Range of a motion that turns back or is given up, and the whole turns of its inputs.
+//! Range of a motion that turns back or could not be followed further, and the whole turns of its inputs.
 
 use std::f64::consts::TAU;
 
@@ -8,9 +8,10 @@ use crate::mechanism::Mechanism;
 
 /// Range between two ends, and the whole turns subtracted from the followed inputs.
 ///
-/// The range begins within half a period of 0, whatever the drawn pose. If the motion was given up at an end, the
-/// motion beyond is unknown. Inputs are then shifted and wrapped only if the period is one turn and the range is at
-/// most a turn, so that the crank angle alone determines the pose. Otherwise inputs keep the turns of the drawn input.
+/// The range begins within half a period of 0, whatever the drawn pose. If the motion could not be followed
+/// beyond an end, it is unknown there. Inputs are then shifted and wrapped only if the period is one turn and the range
+/// is at most a turn, so that the crank angle alone determines the pose. Otherwise inputs keep the turns of the drawn
+/// input.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());

@@ -28,7 +28,8 @@ impl Group {
         DVector::from_iterator(2 * self.unknowns, own)
     }
 
-    /// Linearizes the equations of the group, whose inputs are solved, at values of its unknowns, each in its unit.
+    /// Linearizes the equations of the group at values of its unknowns, each in its unit. The bodies to which the group
+    /// is joined must have been solved.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.

@@ -11,15 +11,15 @@ pub struct Group {
     /// The bodies, in ascending order of their lowest link indices. A body is one link, or several links (ascending)
     /// that have no relative motion while the drivers are fixed.
     pub bodies: Vec<Vec<usize>>,
-    /// The pairs between its bodies. A hinge of k bodies is listed k − 1 times.
+    /// The pairs between bodies of the group. A hinge of k bodies is listed k − 1 times.
     pub inner: Vec<usize>,
-    /// The pairs that join its bodies to links solved before.
+    /// The pairs that join bodies of the group to links solved before it.
     pub outer: Vec<Outer>,
     /// Class, from the highest contour: 2, 3, 4 and so on. The value 1 marks a passive link, which has no class.
     pub class: usize,
     /// Form of a dyad of two bodies and three lower pairs; None for any other group.
     pub dyad: Option<Dyad>,
-    /// Number of constraints in excess of the freedoms of its bodies; 0 for an Assur group.
+    /// Number of constraints in excess of the freedoms of the bodies; 0 for an Assur group.
     pub surplus: usize,
 }
 
@@ -50,7 +50,7 @@ pub enum Dyad {
 }
 
 impl Group {
-    /// All links of its bodies, ascending.
+    /// All links of the group, ascending.
     pub fn links(&self) -> Vec<usize> {
         let mut links = self.bodies.concat();
         sort(&mut links);

@@ -62,7 +62,7 @@ impl Bevel {
         [wheel, shaft]
     }
 
-    /// A satellite on its pin, with its working member 7.
+    /// A satellite on its pin, with the working member on its shaft (number 7), such as a fan.
     pub(super) fn draw_satellite(&self, at: f64, turned: f64, first: bool) -> Part {
         let wheel = self.satellite(at);
         let axis = wheel.axis;

@@ -74,8 +74,8 @@ pub enum InputError {
         /// Number of inputs.
         given: usize,
     },
-    /// The ratio of the shaft's speed to another shaft's, with the other input, leaves the motion undetermined: the
-    /// train may be at rest or move at any speed.
+    /// The given ratio of two shafts' speeds, together with the other input, leaves the motion undetermined: the train
+    /// may be at rest or move at any speed.
     SingularTie {
         /// The shaft of the input.
         shaft: Shaft,

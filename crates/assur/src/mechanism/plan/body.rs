@@ -74,8 +74,8 @@ impl RigidBodies {
         Ok((bodies, placements))
     }
 
-    /// Rigid bodies of a specification. One hinge of the frame may be moved from its drawn position; links, guides and
-    /// wheels at this hinge stay as drawn.
+    /// Rigid bodies of a specification. `hinge` is a hinge of the frame with the position to which it is moved, if any;
+    /// links, guides and wheels at this hinge stay as drawn.
     ///
     /// # Errors
     /// A link of undetermined orientation.

@@ -13,8 +13,8 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving. Far from their origin, coordinates would lose digits. Points are
-    /// moved without rounding (Sterbenz's lemma), because two points close together may give a direction.
+    /// Origin of the coordinates used while solving. Far from the origin, coordinates would lose digits. Points are
+    /// shifted without rounding (Sterbenz's lemma), because two points close together may give a direction.
     pub(in crate::mechanism) origin: Vector,
     /// Drawn positions of the points.
     pub(in crate::mechanism) places: List<PointId, Vector>,
@@ -25,7 +25,7 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) drivers: Vec<Driver>,
     /// Tracers with the links that carry them.
     pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
-    /// Link of each body; None for the frame.
+    /// Link from which each body is made, to which others may be fixed; None for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
     /// Points that doubled links add to each body, with their positions on the body.
     pub(in crate::mechanism) brought: List<BodyId, Vec<(PointId, Vector)>>,

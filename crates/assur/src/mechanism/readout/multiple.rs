@@ -16,8 +16,9 @@ pub struct Multiple {
 }
 
 impl Mechanism {
-    /// Angle of a link as a linear function of another link's angle, at all inputs. For a wheel or a carrier of a
-    /// train, the other link is the only one that turns it; if several links turn it, its own angle is the argument.
+    /// Angle of a link as a linear function of another link's angle, at all inputs. For a link fixed to
+    /// another, the argument is the other's angle; for a wheel or carrier that only one link turns, it is that link's.
+    /// For any other link, it is the link's own angle.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         self.layout.multiple_of(link, self.mounting())
     }

@@ -6,7 +6,7 @@ use crate::tolerance;
 /// Maximum relative distance of a real solution from its conjugate: near a fold rounding errors are large.
 pub(super) const REAL: f64 = 1e-5;
 
-/// The solutions of a group's equations, with the group's unknowns in their units.
+/// The solutions of a group's equations: values of the unknowns, each in its unit.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Solutions {
     /// Number of unknowns.

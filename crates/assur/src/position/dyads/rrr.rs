@@ -68,7 +68,7 @@ impl<const N: usize> Triangle<N> {
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let mut to_c = to_c.scaled(self.square.recip());
         let scale = self.sum * self.sum;
-        // If the links are nearly in line, C keeps the derivatives of `root`, which may be a smooth root.
+        // Nearly in line, the constant length hardly determines the derivatives of C, so those of `root` are kept.
         let is_in_line = root.value().powi(2) < CLOSE_SQUARED * self.square.value() * scale;
         if self.square.value() < CLOSE_SQUARED * scale && !is_in_line {
             to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);

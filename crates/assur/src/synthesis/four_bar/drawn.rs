@@ -17,7 +17,7 @@ pub struct Drawn {
     pub a: Point,
     /// B, end of the input.
     pub b: Point,
-    /// End of the coupler whose other end is B.
+    /// The coupler's end other than B.
     pub coupler_end: Point,
     /// C, the moving end of the output; also the end of the coupler if the position is met.
     pub c: Point,

@@ -56,11 +56,11 @@ use crate::{Assembly, FourBar, Invalid};
 /// Lengths of a four-bar relative to the length of its frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Proportions {
-    /// z₁.
+    /// Coupler: z₁ = l₁/l₀.
     pub coupler: f64,
-    /// z₂.
+    /// Output: z₂ = l₂/l₀.
     pub output: f64,
-    /// z₃.
+    /// Input: z₃ = l₃/l₀.
     pub input: f64,
 }
 

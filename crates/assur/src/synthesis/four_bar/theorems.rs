@@ -53,9 +53,9 @@ pub struct Subsystem {
     pub third: Unknown,
     /// The other two unknowns.
     pub of: [Unknown; 2],
-    /// P of each of the other two.
+    /// Constant term P for each of these two.
     pub constant: [f64; 2],
-    /// Q of each of the other two.
+    /// Coefficient Q of the third unknown for each of these two.
     pub slope: [f64; 2],
 }
 
@@ -74,7 +74,8 @@ impl Angles {
         all.iter().all(|angle| angle.is_finite())
     }
 
-    /// Two unknowns as functions of the third; none if their links are parallel (for the third z₁: if (13) fails).
+    /// Two unknowns as functions of the third; none if the links of the two are parallel. For z₁ as the third unknown,
+    /// this is excluded by the paper's (13).
     ///
     /// The vector product of the loop equation zᵢeᵢ + zⱼeⱼ = e₀ − ze and eⱼ gives zᵢ(eᵢ × eⱼ) = e₀ × eⱼ − z(e × eⱼ).
     pub fn subsystem(&self, third: Unknown) -> Option<Subsystem> {
@@ -101,7 +102,7 @@ impl Angles {
     }
 }
 
-/// The sine of the angle between two links, zero if they are parallel: then P and Q have no sign from rounding.
+/// The sine of the angle between two links, exactly zero if they are parallel: rounding then gives P and Q no sign.
 fn sine(turn: f64) -> f64 {
     let sine = turn.sin();
     if sine.abs() < tolerance::NEGLIGIBLE {

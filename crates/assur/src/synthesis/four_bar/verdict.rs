@@ -39,7 +39,7 @@ pub enum Passage {
     AcrossDeadPoint,
     /// Between positions the linkage would have to be taken apart (a circuit defect).
     OtherCircuit,
-    /// First position at whose input the linkage cannot be assembled.
+    /// Index, from 0, of the first position at whose input the linkage cannot be assembled.
     Unreached(usize),
 }
 

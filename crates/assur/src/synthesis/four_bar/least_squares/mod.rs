@@ -26,7 +26,7 @@ pub struct Minimum {
     pub solution: Solution,
     /// ΣJ with the weights of the task, in squares of the frame's length.
     pub value: f64,
-    /// Maximum error of the output's angle, radians: [`Solution::output_error`].
+    /// Maximum error of the output's angle over the positions, radians: [`Solution::output_error`].
     pub output_error: Option<f64>,
     /// Active bounds; empty for an interior minimum.
     pub held: Vec<Bound>,
