@@ -1,5 +1,5 @@
-//! Wheels of gear couplings. The size of a wheel follows from its distance to the wheel in mesh. The teeth
-//! of both are drawn in mesh. A wheel is drawn as part of its link, an idler as a body of its own.
+//! Wheels of gear couplings. The sizes of two wheels in mesh follow from the distance between their hinges, and
+//! their teeth interlock. A wheel is drawn as part of its link, an idler as a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
 use assur::mechanism::{GearSpec, LinkId, LinkOrFrame, PointId};

@@ -34,7 +34,7 @@ pub(crate) struct Enclosure {
 /// Maximum relative change q of the Jacobian of a group. Kantorovich's theorem holds for q below 1. For q = ½ the ball
 /// that contains the solution has a radius of twice the first correction.
 pub(super) const MAX_JACOBIAN_CHANGE: f64 = 0.5;
-/// Number of columns of an inverse that are computed together.
+/// Number of columns of an inverse Jacobian that are computed together.
 pub(super) const BLOCK: usize = 4;
 
 /// Buffers for the bounds of a group.
