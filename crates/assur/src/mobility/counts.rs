@@ -49,7 +49,7 @@ fn mobility(freedoms: isize, links: usize, pairs: &BTreeMap<u8, usize>) -> isize
 }
 
 impl Counts {
-    /// Mobility W in the scheme's own space.
+    /// Mobility W, in the plane for a planar scheme and otherwise in space.
     pub fn mobility(&self) -> isize {
         self.planar.unwrap_or(self.spatial)
     }

@@ -103,9 +103,9 @@ impl Enclosure {
         self.certify_beside(steps, from, width, (&[], from))
     }
 
-    /// Certifies a step of the input to the pose `to`, within which the links of the plan's steps `passing` pass
-    /// through a pose in line. The second derivatives of their bodies are estimated from both ends, because the
-    /// equations do not bound them near poses in line.
+    /// Certifies a step of the input to the pose `to`. On the way, the links of the plan's steps `passing` pass through
+    /// a pose in line. Second derivatives of their bodies are estimated from both ends of the step of the input, because
+    /// the equations do not bound them near poses in line.
     pub(crate) fn certify_beside(
         &mut self,
         steps: &List<StepId, Step>,

@@ -134,13 +134,13 @@ pub enum Cause {
     Input,
     /// The distance between the solved joints is too large or too small by this length.
     Apart {
-        /// Length.
+        /// Excess or lack, in the unit of length.
         by: f64,
     },
     /// A link is too short by this length to reach its guide, or the offset of a line from one hinge is too large by
     /// this length for the line to reach the other hinge.
     OutOfReach {
-        /// Length.
+        /// Excess or lack, in the unit of length.
         by: f64,
     },
     /// Two guides that must cross are parallel.

@@ -54,7 +54,7 @@ impl Layout {
         }
     }
 
-    /// The layout with poles that alternate around each wheel, so that a period of the field has two plates.
+    /// The layout with poles that alternate around each wheel. A period of the field then spans two plates.
     pub fn alternating(self) -> Self {
         Self {
             alternating: true,

@@ -90,7 +90,7 @@ impl Turns {
         part: 0.0,
     };
 
-    /// Number of turns at a speed over this number of seconds. Whole turns are split off the exact product.
+    /// Turns made at a speed, in revolutions per minute, within a time. Whole turns are split off the exact product.
     fn of(rpm: f64, seconds: f64) -> Self {
         let product = rpm * seconds;
         let low = rpm.mul_add(seconds, -product);

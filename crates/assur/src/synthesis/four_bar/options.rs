@@ -31,7 +31,7 @@ pub enum NoOptions {
         /// Minimum number of positions.
         least: usize,
     },
-    /// Positions that are mirror images in the line of the frame: any output and input will do.
+    /// The positions are mirror images in the line of the frame, and output and input of any lengths meet them.
     Any,
     /// The first two positions require lengths on this line, on which no point has two positive lengths.
     NoFamily(Line),
