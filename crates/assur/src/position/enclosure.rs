@@ -104,8 +104,8 @@ impl Enclosure {
     }
 
     /// Certifies a step of the input to the pose `to`. On the way, the links of the plan's steps `passing` pass through
-    /// a pose in line. Second derivatives of their bodies are estimated from both ends of the step of the input, because
-    /// the equations do not bound them near poses in line.
+    /// a pose in line. Second derivatives of their bodies are estimated from the two end poses, because the equations
+    /// do not bound them near poses in line.
     pub(crate) fn certify_beside(
         &mut self,
         steps: &List<StepId, Step>,
