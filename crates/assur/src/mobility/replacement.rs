@@ -18,7 +18,7 @@ use super::{NoRank, Pair, PairKind, Scheme, SchemeSpec, Space, Vector3};
 /// Maximum number of multiplications in a search.
 const WORK: usize = 20_000_000;
 
-/// Linear form of an added freedom: the power of the pair's wrench on its twist, for each self-stress of a basis.
+/// Linear form of an added freedom: power of the pair's wrench on the freedom's twist, for each self-stress of a basis.
 type PowerForm = nalgebra::DVector<f64>;
 
 /// Replacement of one or more pairs by pairs with more freedoms.
