@@ -37,11 +37,12 @@ const LINES: [&str; 21] = [
     "replacements",
 ];
 
-/// Writes the report, as text or as JSON. Cuts are those of the command line, else of the document, else automatic.
+/// Writes the report, as text or as JSON. The pairs to cut are those given on the command line, or else in the
+/// document, or else chosen automatically.
 ///
 /// # Errors
-/// A document that is not a scheme; cuts that are unknown, leave a contour closed or disconnect links; output that
-/// cannot be written.
+/// A document that is not a scheme; cut pairs that are unknown, leave a contour closed or disconnect links; output
+/// that cannot be written.
 pub(crate) fn write(
     out: &mut impl Write,
     name: &Name,

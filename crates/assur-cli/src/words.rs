@@ -154,7 +154,7 @@ fn plain(detail: &str) -> String {
         let found = words.find_map(|(start, said)| Some((*said, text.strip_prefix(start)?)));
         found.map(|(said, rest)| (said.to_owned(), rest.to_owned()))
     };
-    // Of the expected and the found value, only the type is kept.
+    // Only the types of the expected and of the found value are kept.
     let typed = |text: &str| {
         let named = replaced(text, &TYPES);
         named.map_or_else(|| text.to_owned(), |(said, _)| said)
@@ -240,7 +240,7 @@ mod tests {
         }
     }
 
-    /// Puts values of every type in every place of every file of the catalogue.
+    /// Replaces each value in each file of the catalogue by values of every JSON type.
     #[test]
     fn no_sentence_has_the_name_of_a_type_of_ours() {
         fn places(value: &Value, at: &str, all: &mut Vec<String>) {

@@ -12,7 +12,7 @@ pub use sheet::PolygonSheet;
 
 /// Length below which vectors are drawn as points, in symbol units.
 const MIN_LENGTH: f64 = 0.3;
-/// Length by which a direction line extends on both sides, until its end point is found, in symbol units.
+/// Half the length of the line that shows the direction of a vector of still unknown length, in symbol units.
 const DIRECTION: f64 = 120.0;
 /// Distance of the scale bar below the polygon, in symbol units.
 const BELOW: f64 = 9.0;
@@ -59,9 +59,9 @@ pub struct PolygonPicture {
     pub names: Vec<String>,
     /// Rectangle of the picture: left, bottom, right, top.
     pub bounds: [f64; 4],
-    /// Length represented by the scale bar, a round number.
+    /// Velocity or acceleration that the scale bar represents, a round number.
     pub bar: f64,
-    /// Factor by which the scale is reduced relative to the motion's usual one; 1 if the polygon fits the sheet.
+    /// Ratio of the scale usual for the motion to the scale of this polygon; 1 if the polygon fits the sheet.
     pub smaller: f64,
 }
 
@@ -241,8 +241,8 @@ mod tests {
         }
     }
 
-    /// The steps are: pole, crank, two equations. The first equation leaves a direction, the second gives a point. Each
-    /// step adds to the drawing.
+    /// The steps are: pole, crank, two equations. The first equation gives a line of known direction, the second a
+    /// point on this line. Each step adds to the drawing.
     #[test]
     fn steps_of_a_four_bar() {
         let motion = four_bar();

@@ -10,7 +10,8 @@ use crate::{Edit, checked, edited};
 const MAX_EDITS: usize = 6;
 /// Maximum number of edits tried after each edit of the drawing. Each trial builds a mechanism.
 const MAX_SOUGHT: usize = 48;
-/// Number of candidates above which pairs of edits are not tried: they would take longer than an animation frame.
+/// Number of candidate edits above which pairs of edits are not tried. Trying them would take longer than an animation
+/// frame.
 const MAX_TRIED: usize = 16;
 
 /// Advice on a drawing that does not move.

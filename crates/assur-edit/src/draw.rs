@@ -246,7 +246,7 @@ impl Drawing {
         Ok(block)
     }
 
-    /// Adds a prismatic pair: a link slides along a line with one of its points.
+    /// Adds a prismatic pair of a link and a line; `point` is the point of the link that slides along the line.
     pub(crate) fn slide(&mut self, link: &str, point: &str, along: &Line) -> Done {
         let (on, line) = self.line(point, along)?;
         if on == link {

@@ -25,7 +25,7 @@ pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
     write(workspace, "site", None)
 }
 
-/// Builds the page with further folders of lessons and kinds, into a separate folder.
+/// Builds the page with further folders of lessons and kinds of documents, into a separate folder.
 pub(crate) fn build_with(workspace: &Workspace, more: &Path) -> Result<()> {
     write(workspace, "site", Some(more))
 }
@@ -47,8 +47,8 @@ fn write(workspace: &Workspace, what: &str, more: Option<&Path>) -> Result<()> {
 
 /// Writes the module that JavaScript imports, and its types, where `build/site.js` and `tsconfig.json` expect them.
 fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
-    // Function names would only make the file longer. A trap does not reset the stack of the instance, so the page then
-    // starts a new instance through the reset function.
+    // Function names would only make the file longer. A trap does not reset the stack of the instance, so after a trap
+    // the page starts a new instance through the reset function.
     let bindgen = cmd!(
         workspace.shell,
         "{program} {wasm} --out-dir target/engine --target web --encode-into always
@@ -61,7 +61,7 @@ fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
 fn compile(workspace: &Workspace) -> Result<PathBuf> {
     let mut flags = path_remapping(workspace)?;
     flags.push(INLINING.to_owned());
-    // Added to the user's own flags.
+    // These flags are added to the user's own flags.
     let flags = format!("target.{WASM}.rustflags={}", json!(flags));
     let cargo = cmd!(
         workspace.shell,

@@ -12,7 +12,7 @@ const MAX_ROWS: f64 = 1e7;
 const STEPS: f64 = 360.0;
 /// Greatest angle accepted from the command line, degrees. Beyond it, too few digits remain for fractions of a turn.
 const MAX_ANGLE: f64 = 1e9;
-/// Greatest length accepted from the command line.
+/// Greatest length accepted from the command line, in the unit of length of the file.
 const MAX_LENGTH: f64 = 1e30;
 /// Greatest speed or acceleration accepted from the command line.
 const MAX_RATE: f64 = 1e9;
@@ -32,7 +32,7 @@ pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Fai
 }
 
 /// Returns the inputs of the rows: those of `--at`, or else the multiples of the step over the
-/// motion or the requested interval. If the motion turns back, its ends are included.
+/// motion or the requested interval. Inputs at which the motion turns back are included.
 ///
 /// # Errors
 /// An invalid number; a step or an interval with too many rows or none.
@@ -65,7 +65,7 @@ pub(super) fn inputs(
             short(step)
         ));
     }
-    // By default angles are multiples of the step, and the inputs of a slide are counted from the start of its range.
+    // Without `--from`, crank angles are multiples of the step, and inputs of a slide begin at the start of its range.
     let origin = match asked.from {
         Some(from) => from,
         None if turns => 0.0,

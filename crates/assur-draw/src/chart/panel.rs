@@ -1,4 +1,4 @@
-//! Conversion of panels to pixels, and the axis of a motion.
+//! Scale of a chart's panel in pixels, and the range of the input axis.
 
 use super::*;
 
@@ -12,7 +12,7 @@ impl Panel {
     /// Minimum distance between points along a curve, pixels.
     const APART: f64 = 4.0;
 
-    /// Returns points along the curves of a plot, for labels to avoid.
+    /// Returns x and y, in pixels, of points along the curves of a plot. Labels keep clear of these points.
     pub(super) fn along(&self, plot: &Plot) -> Vec<f64> {
         let ([x0, x1], [y0, y1]) = (self.x, self.y);
         let mut points = Vec::new();
@@ -33,8 +33,8 @@ impl Panel {
     }
 }
 
-/// Returns the range of the input axis: the cycle's full axis, or only the range of an oscillating crank, with margins,
-/// if that is appreciably shorter but not tiny.
+/// Returns the range of the input axis. For an oscillating crank this is the range of the crank with some space on both
+/// sides, if that is appreciably shorter than the cycle's full axis but not tiny. Otherwise it is the full axis.
 pub(super) fn axis(cycle: &Cycle) -> [f64; 2] {
     let whole = cycle.axis();
     let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =

@@ -36,7 +36,7 @@ impl Figure {
         }
     }
 
-    /// Returns the offset of a point's name in this direction.
+    /// Returns the offset of a point's name from the point in a direction, in symbol units.
     fn beyond(&self, point: PointId, direction: Vector) -> [f64; 2] {
         let wide = self.layout.is_wide(point);
         let off = direction.normalize() * if wide { 2.3 } else { 1.5 };

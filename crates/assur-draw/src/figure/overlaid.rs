@@ -16,7 +16,7 @@ use crate::list::{List, Look, Role};
 use crate::overlays::{self, Scales};
 use crate::parts;
 
-/// Sampling of the motion for the scales of vectors.
+/// Sampling of the motion for the scales of velocity and acceleration vectors.
 const SAMPLING: Sampling = Sampling {
     turn: 180,
     coarsest: 30,
@@ -24,29 +24,29 @@ const SAMPLING: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// Maximum number of points with vectors for which the tips of the vectors are named.
+/// Greatest number of points with vectors at which the tips of the vectors are named.
 const MAX_NAMED: usize = 3;
 
 /// Greatest radius of the arc of the input, in symbol units.
 const LARGEST: f64 = 10.0;
-/// Input angle, radians, below which the angle's name is turned away from the middle of the arc.
+/// Input angle below which the name of the angle is moved along the arc, out of the angle, radians.
 const SMALL: f64 = 0.8;
-/// Greatest angle through which the name of a small input angle is turned, radians.
+/// Greatest angle through which the name is moved, for an input angle of zero, radians.
 const BELOW: f64 = 0.6;
 
 /// The overlays of a linkage, ready to be drawn in any pose.
 #[derive(Clone, Debug)]
 pub(super) struct Overlaid {
     input: Option<InputArc>,
-    /// First and last point, and name.
+    /// For each loop vector, the first and the last point, and the index of the name.
     loop_vectors: Vec<([PointId; 2], usize)>,
-    /// Three points, of which the second is the vertex, and name.
+    /// For each corner, three points (the second is the vertex), and the index of the name.
     corners: Vec<([PointId; 3], usize)>,
-    /// Transmission angles: outer hinge, inner hinge, other outer hinge, and name.
+    /// For each transmission angle, outer hinge, inner hinge, other outer hinge, and the index of the name.
     transmission: Vec<([PointId; 3], usize)>,
-    /// Measured distance or angle, and name.
+    /// Measured distances and angles, each with the index of its name.
     measures: Vec<(Quantity, usize)>,
-    /// Points with vectors, each with the names of the two tips.
+    /// Points with vectors of velocity and acceleration, each with the indices of the names of the two tips, if named.
     vectors: Vec<(PointId, Option<[usize; 2]>)>,
     scales: Option<Scales>,
 }
@@ -58,7 +58,7 @@ struct InputArc {
     base: LinkOrFrame,
     pivot: PointId,
     radius: f64,
-    /// Least angle of the range. Angles below zero are drawn clockwise.
+    /// Least input angle of the motion, radians. Negative input angles are drawn clockwise.
     least: f64,
     role: Role,
     name: usize,
@@ -135,7 +135,8 @@ impl Overlaid {
         overlaid
     }
 
-    /// Sets the scales of vectors for a drawing of this size, and returns the tips that must be within the drawing.
+    /// Sets the scales of velocity and acceleration vectors for a drawing of this size. Returns the tips that must be
+    /// within the drawing.
     pub(super) fn scale(&mut self, motion: &Motion, size: f64) -> Vec<Point> {
         if self.vectors.is_empty() {
             return Vec::new();
@@ -155,7 +156,8 @@ impl Overlaid {
         scales.tips(&paths.concat(), size)
     }
 
-    /// Draws the arc of the input, loop vectors, angles, measures and, if the pose has two derivatives, vectors.
+    /// Draws the arc of the input, loop vectors, angles and measures. Draws vectors of velocity and acceleration if the
+    /// pose has two derivatives.
     pub(super) fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         if let Some(arc) = &self.input {
             arc.draw(list, posed, unit);
@@ -227,7 +229,7 @@ impl InputArc {
         })
     }
 
-    /// Draws the arc as an arrow from the direction of the base link to that of the driven link, with its name.
+    /// Draws the arc as an arrow from the direction of the base link to that of the driven link, with the angle's name.
     fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         let from = self.base.map_or(0.0, |base| posed.angle(base));
         let turn = self.least + (posed.angle(self.link) - from - self.least).rem_euclid(TAU);
@@ -241,7 +243,7 @@ impl InputArc {
         list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
         parts::head(list, self.role, at(neck), at(1.0));
-        // The name of a small angle would cover the legs of the angle, so it is placed outside them.
+        // Between the legs of a small angle the name would cover them, so the name is moved beyond the first leg.
         let beside = BELOW * (1.0 - turn.abs() / SMALL).max(0.0);
         let middle = along(from + 0.5 * turn - beside.copysign(turn));
         let off = [3.1 * middle.x, 1.1 * middle.y];
@@ -256,7 +258,7 @@ fn meeting(mechanism: &Mechanism, links: [LinkId; 2]) -> Option<PointId> {
     shared.or(first.first()).copied()
 }
 
-/// Returns the annotated loop vectors.
+/// Returns the first and the last point of each annotated loop vector.
 fn noted_vectors(mechanism: &Mechanism, view: &View) -> Vec<[PointId; 2]> {
     let noted = view.annotations.loop_vectors.iter();
     noted

@@ -1,5 +1,5 @@
-//! Wheels of gear couplings. Their sizes follow from the distances between their hinges, and their
-//! teeth mesh. A wheel is drawn as part of its link, an idler as a body of its own.
+//! Wheels of gear couplings. The sizes of two wheels in mesh follow from the distance between their hinges, and
+//! their teeth interlock. A wheel is drawn as part of its link, an idler as a body of its own.
 
 use assur::gears::{GearPair, Mesh, Wheel};
 use assur::mechanism::{GearSpec, LinkId, LinkOrFrame, PointId};
@@ -47,7 +47,7 @@ struct Drawn {
     shaft: bool,
 }
 
-/// A wheel that belongs to no link, between two wheels of links.
+/// A wheel that belongs to no link and meshes with two wheels of links.
 #[derive(Clone, Debug)]
 struct Idler {
     carrier: LinkOrFrame,
@@ -56,7 +56,7 @@ struct Idler {
     wheel: Wheel,
     /// Link of the driving wheel.
     driver: LinkId,
-    /// Direction of a tooth of the driving wheel on its link, radians.
+    /// Direction of a tooth of the driving wheel in the coordinates of that wheel's link, radians.
     lead: f64,
     module: f64,
     mates: Vec<(u32, bool)>,
@@ -69,7 +69,7 @@ impl Drawn {
         (0.5 * f64::from(self.teeth) + beyond) * self.module
     }
 
-    /// Whether this is the given wheel of the link, with this module. (A link may have several wheels.)
+    /// Whether this wheel is on the link and has the given teeth and module. (A link may have several wheels.)
     fn is(&self, link: LinkId, wheel: &Wheel, module: f64) -> bool {
         let like = self.link == link && self.teeth == wheel.teeth && self.ring == wheel.ring;
         like && (self.module / module - 1.0).abs() < SAME
@@ -181,7 +181,7 @@ impl Gearing {
         self.wheels.iter().any(|drawn| drawn.link == link)
     }
 
-    /// Returns corners of the squares around the wheels and idlers in a pose.
+    /// Returns two opposite corners of the square around each wheel and each idler in a pose.
     pub(super) fn reach<const N: usize>(&self, posed: Posed<'_, N>) -> impl Iterator<Item = Point> {
         let wheels = self.wheels.iter();
         let wheels = wheels.map(move |drawn| (posed.place(drawn.hinge), drawn.rim()));
@@ -196,7 +196,7 @@ impl Gearing {
         })
     }
 
-    /// Returns the distance of a point from each wheel, with the link of the wheel.
+    /// Returns the distance of a point from each wheel (0 on the wheel), with the link of the wheel.
     pub(super) fn distances<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -215,7 +215,7 @@ impl Gearing {
         })
     }
 
-    /// Finds the smallest wheel at a point: anywhere on the disc of a plain wheel, on the toothed rim of a ring.
+    /// Finds the smallest wheel at a point and returns its link. A ring covers only its rim, other wheels a whole disc.
     pub(super) fn wheel_at<const N: usize>(
         &self,
         posed: Posed<'_, N>,
@@ -243,7 +243,7 @@ impl Gearing {
         Some(at + Vector::new(cos, sin) * radius)
     }
 
-    /// Returns the poses of the idlers.
+    /// Returns the centre and the angle of each idler in a pose.
     pub(super) fn idlers<const N: usize>(
         &self,
         posed: Posed<'_, N>,

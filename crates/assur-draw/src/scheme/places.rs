@@ -5,7 +5,8 @@ use assur::mobility::{Pair, Point3, Scheme, Vector3};
 
 use crate::parts;
 
-/// Distance of a pair without a given position from the mean of the other pairs of its links, relative to the drawing.
+/// Distance of a pair without a given position from the mean of the other pairs of its links, relative to the size of
+/// the drawing.
 const OFFSET: f64 = 0.15;
 
 /// Returns the positions of pairs. A pair without a given position is placed beside the other pairs

@@ -6,8 +6,8 @@ use super::{Drawing, css, escaped};
 use crate::figure::names::VALUE;
 use crate::list::Role;
 
-/// Styles of the looks, as in the page's painter: opacity of the fill (negative: filled with the
-/// colour of the paper), width of the line in pixels, opacity of the line, dashes.
+/// Style of each look, as in the page's painter: opacity of the fill (negative: filled with the
+/// colour of the paper), width of the line in pixels, opacity of the line, dash pattern.
 const LOOKS: [(f64, f64, f64, &str); 7] = [
     (1.0, 0.0, 1.0, ""),
     (0.16, 1.5, 1.0, ""),
@@ -18,7 +18,7 @@ const LOOKS: [(f64, f64, f64, &str); 7] = [
     (0.55, 0.0, 1.0, ""),
 ];
 
-/// Height of the labels, pixels.
+/// Font size of the labels, pixels.
 const TEXT: f64 = 15.0;
 
 /// Painter of display lists. Positions are converted to pixels, so that line widths do not depend on the scale.
@@ -99,7 +99,7 @@ impl Painter<'_> {
         }
     }
 
-    /// Returns the text of a label, with the value of its read-out, if it has one, in degrees.
+    /// Returns the text of a label. If the label has a read-out, its value in degrees follows the symbol.
     fn written(&self, label: &str) -> String {
         let Some((symbol, what)) = label.split_once(VALUE) else {
             return label.to_owned();

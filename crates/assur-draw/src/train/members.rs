@@ -1,4 +1,5 @@
-//! Outlines of the working members, seen along their shafts. The constants are for an outer radius of 1.
+//! Outlines of blades, brushes and other working members, seen along their shafts. Constants are for an outer radius
+//! of 1.
 
 use std::f64::consts::{PI, TAU};
 
@@ -51,7 +52,7 @@ const STIRRER: Corners<8> = [
     [0.74, 0.05],
     [0.15, 0.05],
 ];
-/// An arm with a slanting plate whose edge follows the wall.
+/// An arm with a slanting plate whose edge follows the wall of the vessel.
 const SCRAPER: Corners<7> = [
     [0.15, -0.05],
     [0.72, -0.05],

@@ -9,12 +9,12 @@ use crate::Field;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub struct NumberField {
-    /// Path of its field, such as `wheels[0].z`.
+    /// Path of the number's field, such as `wheels[0].z`.
     #[cfg_attr(test, ts(type = "string"))]
     pub field: Field,
-    /// Its value.
+    /// Value of the number.
     pub value: f64,
-    /// Whether it is a whole number, such as a number of teeth.
+    /// Whether only whole numbers are allowed, as for a number of teeth.
     pub whole: bool,
     /// Whether the engine sets the number, starting from the current pose, and changes other fields, too;
     /// otherwise only this field is written.
@@ -98,7 +98,8 @@ pub(super) fn written(document: &impl Serialize, patterns: &[Pattern]) -> Vec<Nu
     found.collect()
 }
 
-/// Collects the numbers in `part`, the part at `path`, that match `rest`, the rest of a pattern, with their paths.
+/// Collects the numbers in a part of a document that match the rest of a pattern, with their paths. `path` is the path
+/// of the part.
 fn collect(part: &Value, path: String, rest: &str, found: &mut Vec<(String, f64)>) {
     if rest.is_empty() {
         found.extend(part.as_f64().map(|value| (path, value)));

@@ -17,7 +17,8 @@ const JOINTS: &str = "mech";
 const GROUNDS: [&str; 6] = ["0", "gnd", "grnd", "grond", "gound", "groud"];
 const GROUND: &str = "ground";
 
-/// Kind of a joint between the teeth of two wheels. Not read: it gives neither the wheels' centres nor the carrier.
+/// Kind of a joint between the teeth of two wheels. A joint of this kind is refused, because it gives neither the
+/// wheels' centres nor the carrier.
 const GEARS: &str = "G";
 
 /// The kinds of joints that are read.
@@ -168,7 +169,7 @@ fn is_ground(link: &str) -> bool {
 /// A mechanism that is being read.
 struct Reading<'a> {
     sketch: Sketch,
-    /// Name of each bar's link.
+    /// Name of the link from which each bar is made.
     links: Vec<&'a str>,
     /// Size of the drawing, as [`Sketch::size`] defines it.
     size: f64,

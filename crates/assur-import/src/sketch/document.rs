@@ -132,7 +132,7 @@ impl<'a> Named<'a> {
     fn links(&self) -> impl Iterator<Item = LinkDocument> {
         let all = self.sketch.bars.iter().enumerate();
         all.filter(|(k, _)| self.stays(*k)).map(|(k, bar)| {
-            // Fixed points come first: a link's angle is the direction from its first point to its second.
+            // Fixed points come first, because a link's angle is the direction from its first point to its second.
             let first = |joint: &&usize| bar.wheel || self.sketch.joints[**joint].fixed;
             let (first, others): (Vec<usize>, Vec<usize>) = bar.joints.iter().partition(first);
             let joints = first.into_iter().chain(others);

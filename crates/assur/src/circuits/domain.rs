@@ -14,7 +14,8 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Finds the domain of a mechanism, at most `max_turns` turns long, and whether all of it is searched.
+    /// Finds the domain of a mechanism: one period of at most `max_turns` turns, or the inputs within the ranges of all
+    /// driven slides. The flag is false if a longer period is cut off, or if these inputs are unlimited.
     pub(super) fn of(mechanism: &Mechanism, max_turns: usize) -> (Self, bool) {
         match mechanism.turns_of_assemblies() {
             Some(turns) => {
@@ -52,7 +53,7 @@ impl Domain {
             .map_or(input, |period| from + (input - from).rem_euclid(period))
     }
 
-    /// Distance of two inputs modulo the period.
+    /// Distance between two inputs modulo the period.
     pub(super) fn distance(&self, one: f64, other: f64) -> f64 {
         let difference = one - other;
         let rounded = |period: f64| period * (difference / period).round();
@@ -87,7 +88,7 @@ impl Domain {
         visits.take(MAX_TURNS).map(image).collect()
     }
 
-    /// Inputs at the ends of a motion, reduced to the first period.
+    /// Inputs at the ends of a motion, reduced to the first period; empty for a full cycle.
     pub(super) fn ends(&self, motion: &Motion) -> Vec<f64> {
         let cycle = motion.cycle();
         if cycle.is_full() {
@@ -97,7 +98,7 @@ impl Domain {
         ends.map(|end| self.wrap(*end)).collect()
     }
 
-    /// Minimum input of a motion, reduced to the first period.
+    /// Minimum of the inputs of a motion after reduction to the first period.
     pub(super) fn min_input(&self, motion: &Motion) -> f64 {
         let from = self.ends[0];
         if !self.visits(motion, from).is_empty() {

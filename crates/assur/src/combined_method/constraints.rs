@@ -4,7 +4,8 @@ use super::places::{Places, Way};
 use crate::position::product;
 use crate::{Relation, Vector, perpendicular};
 
-/// Equations (1) to (5), the differences of coordinates, the letters of fig. 1, and the derivatives of B.
+/// Equations (1) to (5), the differences of coordinates, the letters of fig. 1, and the derivatives of the position
+/// of B.
 pub(super) fn relations(places: &Places) -> Vec<Relation> {
     let mut all = first_order(places);
     all.extend(second_order(places));
@@ -273,7 +274,7 @@ fn letters(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// Equations (3) to (5), and the first derivatives of L, F and K that follow from them.
+/// Equations (3) to (5), and the first derivatives of the positions of L, F and K that follow from them.
 fn ratios(places: &Places) -> Vec<Relation> {
     let [f_l, f_f, f_k] = [places.f_l(), places.f_f(), places.f_k()];
     let polar = |ratio: Vector, [long, short]: [Vector; 2]| {

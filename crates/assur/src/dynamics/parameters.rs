@@ -96,9 +96,10 @@ pub struct Load {
     pub constant: f64,
     /// Friction torque against the motion at any speed, as from a brush or a scraper, N·m.
     pub friction: f64,
-    /// Creep speed, rad/s: friction is proportional to tanh(ω/creep), so a held body creeps. Used only with friction.
+    /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep) at the speed ω of the body, so a body held by
+    /// friction creeps. Used only with friction.
     pub creep: f64,
-    /// Coefficient of a fan's torque, N·m·s²: against the motion, and proportional to the square of the speed.
+    /// Coefficient of a fan's torque, N·m·s². The torque opposes the motion, in proportion to the square of the speed.
     pub fan: f64,
 }
 
@@ -121,7 +122,7 @@ impl Parameters {
         }
     }
 
-    /// Inertia, load and drive of a shaft, for changes.
+    /// Inertia, load and drive of a shaft, as a mutable reference.
     pub fn shaft_mut(&mut self, shaft: Shaft) -> &mut Driven {
         match shaft {
             Shaft::Sun => &mut self.sun,
@@ -166,7 +167,7 @@ impl Load {
 }
 
 impl Plates {
-    /// Periods of the field per turn of a wheel with this number of plates.
+    /// Number of periods of the magnetic field around a wheel with this number of plates.
     pub(super) fn periods(&self, plates: u32) -> u32 {
         match self.poles {
             Poles::Alike => plates,

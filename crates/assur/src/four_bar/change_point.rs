@@ -15,7 +15,8 @@ pub struct ChangePoint {
 }
 
 impl FourBar {
-    /// The change points on the `axis` of [`FourBar::cycle`], without φ₁ = 0 of a deltoid, an undetermined pose.
+    /// The change points on the `axis` of [`FourBar::cycle`]. The pose of a deltoid at φ₁ = 0 is undetermined and not
+    /// listed.
     pub fn change_points(&self) -> Vec<ChangePoint> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();
@@ -41,7 +42,8 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// A parallelogram is in line at 0 and π; links 1, 2, 3, 2 only at 0, but their motion takes two turns.
+    /// A parallelogram is in line at 0 and π. A four-bar with links 1, 2, 3, 2 is in line only at 0, but its motion
+    /// takes two turns.
     #[test]
     fn in_line() {
         for (lengths, expected) in [

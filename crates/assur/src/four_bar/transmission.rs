@@ -13,17 +13,17 @@ impl FourBar {
     /// # Errors
     /// [`Unsolved`] if the loop cannot be closed.
     pub fn transmission_angle(&self, crank: f64) -> Result<f64, Unsolved> {
-        // The interior angle at C is twice atan2(√Q, √P).
+        // The interior angle at C, the joint of coupler and rocker, is twice atan2(√Q, √P); see `area_roots`.
         let (sin, cos) = half_angle::<1>(crank)?;
         let [root_p, root_q] = self.area_roots(crank, sin, cos)?.map(|root| root.value());
         let interior = 2.0 * root_q.abs().atan2(root_p.abs());
         Ok(interior.min(PI - interior))
     }
 
-    /// The minimum transmission angle of the motion and its crank angle.
+    /// The minimum transmission angle of the motion, and the crank angle at which it occurs, radians.
     pub fn worst_transmission(&self) -> (f64, f64) {
-        // The interior angle at C is monotonic between φ₁ = 0 and π, as the diagonal is, and μ decreases on both sides
-        // of 90°. So μ is least at 0, at π or at the end of an arc.
+        // The interior angle at C is monotonic between φ₁ = 0 and π, because the diagonal opposite C is. Farther from
+        // 90° on either side, μ is smaller. So μ is least at 0, at π or at the end of an arc.
         let cycle = self.cycle();
         let ends = cycle.arcs().iter().flatten().copied();
         ends.chain([0.0, PI])

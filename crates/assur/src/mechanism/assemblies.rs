@@ -7,12 +7,12 @@ use crate::index::{List, StepId};
 use crate::mechanism::{AssemblySigns, Configuration, Defect, Layout, Mechanism, Pose};
 use crate::position::{Cause, ComplexPair, Method, Sign, State, Step, StepContext, Tracker};
 
-/// Maximum number of assemblies. Of n dyads there are 2ⁿ combinations, but only a few may close.
+/// Maximum number of assemblies. A linkage of n dyads has 2ⁿ combinations of signs, but perhaps only a few close.
 const MAX_ASSEMBLIES: usize = 4096;
 /// Maximum number of steps solved to find the assemblies.
 const MAX_TRIES: usize = 1 << 16;
-/// Maximum work of solving groups over the complex numbers, approximately in microseconds. It allows a group of four
-/// loops with hinges only, or of three with slides, but not a long chain of such groups with many assemblies each.
+/// Maximum work of solving groups over the complex numbers, approximately in microseconds. It is enough for a group of
+/// four loops of hinges, or of three with slides, but not for a long chain of such groups with many assemblies each.
 const MAX_WORK: usize = 60_000;
 
 /// The assemblies of a linkage at an input.
@@ -278,7 +278,7 @@ impl<'a, const N: usize> Search<'a, N> {
                 }
                 self.join(rest, state);
             }
-            // Only the margins of dyads are quantities under square roots, whose negative values give complex pairs.
+            // Groups give no complex pairs here: only the margins of dyads are quantities under square roots.
             Err(_) if matches!(self.layout.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();

@@ -25,13 +25,13 @@ pub(crate) struct Layout {
     /// The step that places each body; None for the frame.
     pub(super) placed_by: List<BodyId, Option<StepId>>,
     pub(super) passive: Option<PassiveLinks>,
-    /// Orientations of the bodies as drawn at first; they show how the wheels are mounted.
+    /// Orientations of the bodies as first drawn. They show how the wheels are mounted.
     pub(super) mounted: List<BodyId, Orientation>,
     pub(super) size: f64,
     /// Range of the first driver if it is a slide.
     pub(super) range: Option<[f64; 2]>,
-    /// Number of turns of the crank after which all drivers and visible wheels have returned. None for a driven slide,
-    /// or if a driver does not return.
+    /// Number of turns of the crank after which all drivers and visible wheels are in their initial positions again.
+    /// None for a driven slide, or if a driver does not return.
     pub(super) period_turns: Option<usize>,
     /// Number of turns of the crank after which the assemblies repeat, without regard to wheels that carry nothing.
     pub(super) turns_of_assemblies: Option<usize>,

@@ -30,7 +30,7 @@ impl Mixer {
         let (sin, cos) = crank.sin_cos();
         let l5 = (l4 - l1 * cos).hypot(l1 * sin);
         let phi5 = (-l1 * sin).atan2(l4 - l1 * cos);
-        // With links in line the quotient of sines is 0/0, but the rounded sin π is not exactly zero.
+        // With links in line the quotient of sines is 0/0. The test has a tolerance, because sin π rounds to nonzero.
         let quotient = if sin.abs() > NEGLIGIBLE {
             -l1 * sin / phi5.sin()
         } else {
@@ -98,7 +98,7 @@ impl Mixer {
         Ok(all)
     }
 
-    /// Relations (25) and (26) of the wheels, with the ratio u unsigned as in the paper; then u with its sign.
+    /// Relations (25) and (26) of the wheels, with the gear ratio u unsigned as in the paper; then u with its sign.
     fn wheels(&self, pose: &Pose<3>) -> Vec<Relation> {
         let mut all = Vec::new();
         let strokes = [["ψ₄", "ψ₅"], ["ψ₄′", "ψ₅′"], ["ψ₄″", "ψ₅″"]];

@@ -49,7 +49,7 @@ fn mobility(freedoms: isize, links: usize, pairs: &BTreeMap<u8, usize>) -> isize
 }
 
 impl Counts {
-    /// Mobility W in the scheme's own space.
+    /// Mobility W, in the plane for a planar scheme and otherwise in space.
     pub fn mobility(&self) -> isize {
         self.planar.unwrap_or(self.spatial)
     }
@@ -61,8 +61,8 @@ impl Counts {
     }
 
     /// Number q of redundant constraints in space, for a planar scheme whose pairs have one freedom each, both in the
-    /// plane and in space: q = ΣS + 2(n − P₁), with S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)), or 3
-    /// for each independent loop. None for other schemes.
+    /// plane and in space: q = ΣS + 2(n − P₁), with S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). So q
+    /// is 3 for each independent loop. None for other schemes.
     pub fn redundant_by_plane(&self) -> Option<isize> {
         let one = |pairs: &BTreeMap<u8, usize>| pairs.keys().eq([&1]);
         let applies = self.planar.is_some() && one(&self.pairs) && one(&self.spatial_pairs);

@@ -33,7 +33,7 @@ pub enum PairKind {
 }
 
 impl PairKind {
-    /// All kinds with a form; the screw has the given pitch.
+    /// All kinds except [`PairKind::Class`], which has no form; the screw has the given pitch.
     pub fn forms(pitch: f64) -> [Self; 10] {
         [
             Self::Revolute,

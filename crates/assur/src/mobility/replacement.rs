@@ -18,7 +18,7 @@ use super::{NoRank, Pair, PairKind, Scheme, SchemeSpec, Space, Vector3};
 /// Maximum number of multiplications in a search.
 const WORK: usize = 20_000_000;
 
-/// Linear form of an added freedom: its power for each self-stress of a basis.
+/// Linear form of an added freedom: power of the pair's wrench on the freedom's twist, for each self-stress of a basis.
 type PowerForm = nalgebra::DVector<f64>;
 
 /// Replacement of one or more pairs by pairs with more freedoms.
@@ -35,9 +35,9 @@ pub struct Change {
     pub pair: usize,
     /// New kind of the pair.
     pub kind: PairKind,
-    /// New axis of the pair.
+    /// New axis of the pair; None if the new kind has no axis.
     pub axis: Option<Vector3>,
-    /// New second direction of the pair.
+    /// New second direction of the pair; None if the new kind has none.
     pub second: Option<Vector3>,
 }
 
@@ -55,7 +55,7 @@ impl Scheme {
     /// unchanged. Every replacement adds one freedom for each redundant constraint, so no replacement contains another.
     ///
     /// # Errors
-    /// The data missing for the rank.
+    /// The data that are missing for the rank of the constraints.
     pub fn replacements(&self, most: usize) -> Result<Replacements, NoRank> {
         let forms = self.forms(Space::Whole)?;
         let constraints = Constraints::new(self, &forms, Space::Whole);
@@ -78,8 +78,8 @@ impl Scheme {
                         PowerForm::from_iterator(bears.len(), powers)
                     })
                 });
-                // The forms of the added freedoms must be independent. The forms of existing freedoms are zero, and a
-                // change that relieves no self-stress does not help.
+                // A change helps only if the forms of its added freedoms are independent. The forms of existing
+                // freedoms are zero and drop out.
                 let added = change.kind.freedoms() - self.pairs()[pair].kind.freedoms();
                 let forms = independent(&[], powers);
                 let helps = forms.len() == usize::from(added) * self.pairs()[pair].count();
@@ -226,7 +226,7 @@ impl Search {
             for raise in 0..self.raises[pair].len() {
                 let raise = &self.raises[pair][raise];
                 let (added, forms) = (raise.forms.len(), &raise.forms);
-                // Each remaining pair adds at least one form.
+                // Each of the remaining pairs adds at least one form and at most `greatest`.
                 let most = self.greatest * (pairs - 1);
                 let rest = missing.checked_sub(added);
                 let Some(rest) = rest.filter(|rest| (pairs - 1..=most).contains(rest)) else {

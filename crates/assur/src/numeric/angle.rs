@@ -19,7 +19,7 @@ const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 pub struct Angle {
     turns: i64,
     part: f64,
-    /// Rounding error of the part, below its last digit.
+    /// Rounding error of `part`, smaller than the last digit of `part`.
     carry: f64,
 }
 
@@ -163,7 +163,7 @@ mod tests {
             angle(7, -0.3),
             Angle::default(),
         ];
-        // 20(φ₁ − φ₃) + 10(φ₂ − φ₃): beyond the whole turns 8 + 5 rad, which is more than two turns.
+        // The remainders in 20(φ₁ − φ₃) + 10(φ₂ − φ₃) add up to 8 + 5 rad: two more whole turns and a remainder.
         let (turns, rest) = combination([20, 10, -30, 0], &angles);
         assert_eq!(turns, 20 * 1_000_003 - 10 * 2_000_000 - 30 * 7 + 2);
         assert!((rest - (13.0 - 2.0 * TAU)).abs() < 1e-14);

@@ -37,7 +37,8 @@ pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>
     Some(if a[1].abs() < b[1].abs() { a[0] } else { b[0] })
 }
 
-/// Finds by bisection the last number at which a condition holds, between one that satisfies it and one that does not.
+/// Finds by bisection the last number at which a condition holds. The condition holds at the first of the two given
+/// numbers, and not at the second.
 pub(crate) fn bisect([mut low, mut high]: [f64; 2], mut holds: impl FnMut(f64) -> bool) -> f64 {
     for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);

@@ -34,7 +34,7 @@ pub(crate) struct Enclosure {
 /// Maximum relative change q of the Jacobian of a group. Kantorovich's theorem holds for q below 1. For q = ½ the ball
 /// that contains the solution has a radius of twice the first correction.
 pub(super) const MAX_JACOBIAN_CHANGE: f64 = 0.5;
-/// Number of columns of an inverse that are computed together.
+/// Number of columns of an inverse Jacobian that are computed together.
 pub(super) const BLOCK: usize = 4;
 
 /// Buffers for the bounds of a group.
@@ -103,9 +103,9 @@ impl Enclosure {
         self.certify_beside(steps, from, width, (&[], from))
     }
 
-    /// Certifies a step of the input to the pose `to`, within which the links of the plan's steps `passing` pass
-    /// through a pose in line. The second derivatives of their bodies are estimated from both ends, because the
-    /// equations do not bound them near poses in line.
+    /// Certifies a step of the input to the pose `to`. On the way, the links of the plan's steps `passing` pass through
+    /// a pose in line. Second derivatives of their bodies are estimated from the two end poses, because the equations
+    /// do not bound them near poses in line.
     pub(crate) fn certify_beside(
         &mut self,
         steps: &List<StepId, Step>,

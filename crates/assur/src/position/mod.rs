@@ -43,7 +43,7 @@ pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 
 /// Maximum distance between points that count as close, relative to the lengths that determine their positions. The
-/// direction between close points loses digits. If they are the outer hinges of a dyad, so do the dyad's derivatives.
+/// direction between close points loses digits. Derivatives of a dyad with close outer hinges lose digits, too.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
 /// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
@@ -109,7 +109,7 @@ pub(crate) struct Track {
     pub(crate) point: Vector,
     /// Distance of `point` from the line, positive to the left.
     pub(crate) offset: f64,
-    /// The joint at `point`; None if `point` is no joint but any point on the line of the link.
+    /// The joint at `point`; None if `point` is an arbitrary point on the line of the link, without a joint.
     pub(crate) joint: Option<PointId>,
 }
 
@@ -134,13 +134,13 @@ pub enum Cause {
     Input,
     /// The distance between the solved joints is too large or too small by this length.
     Apart {
-        /// Length.
+        /// Excess or lack, in the unit of length.
         by: f64,
     },
     /// A link is too short by this length to reach its guide, or the offset of a line from one hinge is too large by
     /// this length for the line to reach the other hinge.
     OutOfReach {
-        /// Length.
+        /// Excess or lack, in the unit of length.
         by: f64,
     },
     /// Two guides that must cross are parallel.

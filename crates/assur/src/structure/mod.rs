@@ -11,10 +11,10 @@
 //! hinge. So a compound hinge of k links counts as k − 1 pairs, without a choice of the two links that each of them
 //! joins. Such a choice would change the groups.
 //!
-//! Each constraint is assigned to a freedom that it determines (`pebbles.rs`). The link with this freedom then depends
-//! on the other links of that pair. Links that depend on each other in a ring are solved together and form a group. The
-//! groups are the same for every assignment (Servatius, Shai, Whiteley, *Combinatorial characterization of the Assur
-//! graphs from engineering*, 2010). No link is divided, even if a prismatic pair determines its angle first.
+//! Each constraint of a pair is assigned to a freedom that it determines (`pebbles.rs`). The link with this freedom
+//! then depends on the other links of the pair. Links that depend on each other in a ring are solved together as a
+//! group. The groups are the same for every assignment (Servatius, Shai, Whiteley, *Combinatorial characterization of
+//! the Assur graphs from engineering*, 2010). No link is divided, even if a prismatic pair determines its angle first.
 //!
 //! # Class and order
 //!
@@ -101,7 +101,7 @@ impl Pair {
 pub struct Graph {
     /// Number of links, the ground included.
     pub links: usize,
-    /// The link that does not move.
+    /// Index of the link that does not move.
     pub ground: usize,
     /// The pairs.
     pub pairs: Vec<Pair>,
@@ -137,9 +137,9 @@ impl Graph {
 /// A driver: the input is the relative motion of two links in their pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Driver {
-    /// The pair, revolute or prismatic.
+    /// Index of the pair, which is revolute or prismatic.
     pub pair: usize,
-    /// The two links of the pair whose relative motion is the input.
+    /// Indices of the two links of the pair whose relative motion is the input.
     pub links: [usize; 2],
 }
 
@@ -329,7 +329,8 @@ impl Depends {
         self.on[link].binary_search(&on).is_ok()
     }
 
-    /// Makes the given links, and those that depend on them, depend on every link on which a given link depends.
+    /// Joins the given links. Every link that depends on one of them then depends on all links on which any of them
+    /// depends.
     fn join(&mut self, links: &BTreeSet<usize>) {
         let of = links.iter().flat_map(|link| self.on[*link].iter().copied());
         let all: BTreeSet<usize> = of.collect();
@@ -359,7 +360,8 @@ impl Depends {
         blocks
     }
 
-    /// Finds the link solved first of those that share a constraint: the others depend on it, or all on each other.
+    /// Finds the first link to be solved among links that share a constraint. The others depend on this link, or all
+    /// depend on each other.
     fn base(&self, links: &[usize]) -> usize {
         let first = links.iter().copied().min_by_key(|&i| (self.on[i].len(), i));
         first.unwrap_or(self.ground)

@@ -17,7 +17,7 @@ const MAX_NAME: usize = 40;
 /// Maximum number of characters in a title or source.
 const MAX_TEXT: usize = 400;
 
-/// All problems of single fields, with the paths of the fields. If lists are too long, no other problems are given.
+/// All problems of single fields, with the paths of the fields. If lists are too long, only these lists are reported.
 pub(super) fn problems(document: &LinkageDocument) -> Vec<LinkageProblem> {
     let found = counts(document);
     if found.is_empty() {

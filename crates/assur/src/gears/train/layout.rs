@@ -54,7 +54,7 @@ impl Layout {
         }
     }
 
-    /// The layout with poles that alternate around each wheel, so that a period of the field has two plates.
+    /// The layout with poles that alternate around each wheel. A period of the field then spans two plates.
     pub fn alternating(self) -> Self {
         Self {
             alternating: true,
@@ -113,8 +113,8 @@ impl Layout {
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]
                 .map(|member| f64::from(self.train.teeth(member)));
         match (self.train.kind(), coupling, self.axis_distance) {
-            // The centre of the satellite's pitch circle (radius r₂, pitch angle δ₂) is at r₂ cot δ₂ sin Σ =
-            // (r₁ + r₄)/2 from the central axis, where Σ = δ₁ + δ₂.
+            // With pitch radii r₁, r₂ and r₄ of sun, satellite and ring, pitch angles δ₁ and δ₂, and Σ = δ₁ + δ₂, the
+            // centre of the satellite's pitch circle is r₂ cot δ₂ sin Σ = (r₁ + r₄)/2 away from the central axis.
             (Kind::Bevel, ..) => 0.25 * self.module * (sun + ring),
             (_, Coupling::Contact, _) => 0.5 * self.module * (sun + satellite),
             (_, Coupling::Magnetic, Some(given)) => given,
@@ -137,7 +137,7 @@ impl Layout {
         self.gaps().map(|gaps| gaps.map(|gap| gap - teeth))
     }
 
-    /// Least and greatest axis distance without contact of pitch circles: limits in the source paper's (1) and (2).
+    /// Least and greatest axis distance without overlap of pitch circles: limits in the source paper's (1) and (2).
     pub(super) fn free_distances(&self) -> [f64; 2] {
         let teeth = |member| f64::from(self.train.teeth(member));
         [
@@ -146,7 +146,7 @@ impl Layout {
         ]
     }
 
-    /// Sine of half the angle that a satellite, including the teeth of gears in contact, covers at the central axis.
+    /// Sine of half the angle that a satellite subtends at the central axis. Teeth are included for gears in contact.
     pub(super) fn half_width(&self, coupling: Coupling) -> f64 {
         let teeth = |member| f64::from(self.train.teeth(member));
         let largest = teeth(Member::Satellite).max(teeth(Member::Step));
@@ -159,7 +159,8 @@ impl Layout {
                 self.module * (0.5 * largest + addendum) / self.axis_distance(coupling)
             }
             Kind::Bevel => {
-                // The tip cones, of angle δ_a, of neighbours among k satellites touch if sin(π/k) sin Σ = sin δ_a.
+                // With k satellites, neighbouring tip cones of half-angle δ_a touch if sin(π/k) sin Σ = sin δ_a. Here
+                // Σ is the angle between the axis of a satellite and the central axis.
                 let sine = self.train.inclination().sin();
                 let cone = (2.0 * largest * sine).atan2(teeth(Member::Sun) + teeth(Member::Ring));
                 let tip = cone + (2.0 * addendum * cone.sin() / largest).atan();

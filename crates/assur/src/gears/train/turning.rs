@@ -90,7 +90,7 @@ impl Turns {
         part: 0.0,
     };
 
-    /// Number of turns at a speed over this number of seconds. Whole turns are split off the exact product.
+    /// Turns made at a speed, in revolutions per minute, within a time. Whole turns are split off the exact product.
     fn of(rpm: f64, seconds: f64) -> Self {
         let product = rpm * seconds;
         let low = rpm.mul_add(seconds, -product);
@@ -153,7 +153,7 @@ impl Turning {
     ///
     /// # Errors
     /// Every invalid rise time; errors of [`Differential::solve`](super::Differential::solve); two inputs of one
-    /// shaft; given speeds above [`Self::FASTEST`], or otherwise resulting speeds above this limit.
+    /// shaft; given speeds above [`Self::FASTEST`] or, if there are none, resulting speeds above this limit.
     pub fn new(train: Train, inputs: &[TimedInput]) -> Result<Self, Vec<InputError>> {
         let rises: Vec<InputError> = inputs.iter().filter_map(rise_fault).collect();
         let asked: Vec<Input> = inputs.iter().map(|timed| timed.input).collect();
@@ -252,7 +252,7 @@ impl Turning {
         }
     }
 
-    /// Speeds after all rises, revolutions per minute.
+    /// Speeds after all rise times, revolutions per minute.
     pub fn last_speeds(&self) -> Shafts {
         self.rates(|rpm, _| rpm)
     }

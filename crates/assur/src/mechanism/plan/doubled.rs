@@ -1,4 +1,5 @@
-//! Doubled links, each one body with another because both have two or more shared points at the same positions.
+//! Doubled links. A doubled link shares two or more points with another body, at the same positions on both. So the two
+//! are one body.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::spec::{Defect, LinkageSpec, extent};
@@ -66,8 +67,8 @@ impl Layout {
         Some((other + product(at - there, conjugate(turned))).into())
     }
 
-    /// Position of the first point of a link on the link and on its body, and turn of the link's axes relative to the
-    /// body. None if the link has no shape.
+    /// First point of a link, in the coordinates of the link and in those of its body; then the turn e^(iθ) of the
+    /// link's axes relative to the body's. None if the link has no shape.
     fn axes(&self, spec: &LinkageSpec, link: LinkId) -> Option<[Vector; 3]> {
         let Part { body, points, .. } = &self.links[link];
         let shape = spec.links[link.index()].shape.as_ref()?;
@@ -86,7 +87,7 @@ impl Layout {
     }
 }
 
-/// Body that is one body with an earlier body, the base.
+/// A body that is to be merged into an earlier body, the base.
 struct Doubling {
     body: BodyId,
     base: BodyId,
@@ -97,7 +98,7 @@ struct Doubling {
 
 impl Resolved<'_> {
     /// Merges doubled links with the bodies that they double. The points of a doubled link are added to the merged
-    /// body. With these points, further links may double this body. Returns the bodies that remain.
+    /// body. With these points, further links may double the merged body. Returns the bodies that remain.
     ///
     /// # Errors
     /// A link of undetermined orientation.

@@ -13,7 +13,7 @@ use crate::tolerance;
 #[derive(Clone, Debug)]
 pub(in crate::mechanism) struct Slide {
     pub(in crate::mechanism) by_link: resolved::Slide,
-    /// Body with the line, and body that slides.
+    /// The body with the line, then the body that slides.
     pub(in crate::mechanism) bodies: [BodyId; 2],
     /// Point of the line on the first body.
     start: Vector,
@@ -27,7 +27,7 @@ pub(in crate::mechanism) struct Slide {
     direction: Vector,
     /// Distance of the sliding point from the line, positive to the left.
     off: f64,
-    /// Drawn coordinate of the sliding point along the line.
+    /// Drawn coordinate of the sliding point along the line, from `start`.
     way: f64,
 }
 
@@ -116,7 +116,7 @@ impl Slide {
         self.length
     }
 
-    /// Line on one of the two bodies: a point of the line and its direction.
+    /// Line of the pair on one of the two bodies: a point of the line and its direction, in the body's coordinates.
     pub(in crate::mechanism) fn line_on(&self, body: BodyId) -> (Vector, Vector) {
         if body == self.bodies[0] {
             (self.start, self.heading)
@@ -149,7 +149,7 @@ impl Slide {
         }
     }
 
-    /// Side of a dyad with this slide as inner pair, for one of the two bodies.
+    /// Side of a dyad whose inner pair is this slide: one of the two bodies with its outer hinge.
     pub(in crate::mechanism) fn side(&self, body: BodyId, hinge: &Hinge) -> Side {
         Side::new(
             body,

@@ -33,7 +33,7 @@ pub enum ConstraintKind {
         /// Points P and Q.
         points: [PointId; 2],
     },
-    /// `x_QP y_SP − y_QP x_SP = h·PQ`: a sliding point S keeps its distance h from the line PQ, positive to the left.
+    /// `x_QP y_SP − y_QP x_SP = h·|PQ|`: a sliding point S keeps its distance h from the line PQ, positive to the left.
     Offset {
         /// The link that slides.
         link: LinkOrFrame,
@@ -63,7 +63,7 @@ pub enum ConstraintKind {
 /// Values of both sides of a constraint equation, or of one of its derivatives, in a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sides {
-    /// Left side in the pose. A point has one position, whichever link carries the point.
+    /// Left side in the pose. Each point enters with one position, even if several links share the point.
     pub left: f64,
     /// Required value of the left side.
     pub right: f64,
@@ -171,8 +171,8 @@ impl Mechanism {
         self.layout.constraints()
     }
 
-    /// Both sides, in a pose, of an equation (`order` 0) or of its derivative of `order` 1 to `N` − 1 with respect to
-    /// the input. Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`,
+    /// Both sides of an equation in a pose (`order` 0), or of the equation's derivative of `order` 1 to `N` − 1 with
+    /// respect to the input. Derivatives of squared distances are halved, as in papers: `x x′ + y y′ = 0`,
     /// `x x″ + y y″ = −(x′² + y′²)`.
     pub fn sides<const N: usize>(
         &self,

@@ -47,10 +47,10 @@ pub enum Refusal {
     Defects(Vec<Defect>),
 }
 
-/// Resolution of the last possible value, relative to the range of the dimension, before rounding to a power of ten.
+/// Resolution of the last possible value, relative to the range of the dimension; then rounded up to a power of ten.
 const RESOLUTION: f64 = 2e-4;
-/// Steps by which the input gives way, relative to its span. The first is also the distance kept from the input at
-/// which the loop opens.
+/// Steps by which the input gives way, relative to the span of the input. The first is also the distance kept from the
+/// input at which the loop opens.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
 
 impl Motion {
@@ -90,7 +90,8 @@ impl Motion {
         let Some(mut obstacle) = path.obstacle else {
             return self.arrived(&path);
         };
-        // The last value, rounded towards the start, is tried up to three times: its path may meet another obstacle.
+        // The last value is rounded towards the start. The path to the rounded value may meet another obstacle, which
+        // gives a new last value; this is done up to three times.
         let unit = 10_f64.powf((RESOLUTION * width).log10().ceil());
         let mut last = at(path.length);
         for _ in 0..3 {

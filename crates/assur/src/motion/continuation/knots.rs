@@ -24,7 +24,7 @@ pub(in crate::motion) struct Knots {
     /// Cells per unit of input; `first` is the input at which the cells begin.
     cells_per_unit: f64,
     first: f64,
-    /// Smooth roots of steps around change points.
+    /// Square roots of steps near change points, signed so that the roots are smooth there.
     smooth_roots: Vec<SmoothRoot>,
     /// Maximum distance between neighbouring knots for a guess to be interpolated between them.
     longest: f64,

@@ -34,7 +34,7 @@ impl System {
             }
             at.iter().all(|at| at.is_finite()).then_some(change)
         };
-        // The step has converged, or rounding stops the convergence.
+        // The iteration has converged, or rounding keeps its small steps from shrinking further.
         let is_last = |change: f64, last: f64| {
             is_exact(change, last)
                 || change <= tolerance::CONVERGED
@@ -103,7 +103,7 @@ impl Workspace {
             let pivot_row = &above[k * size..];
             let (reciprocal, known) = (pivot_row[k].inv(), rhs[k]);
             for (row, rhs) in below.chunks_exact_mut(size).zip(&mut rhs[k + 1..]) {
-                // Many entries are zero, because an equation contains few of the unknowns.
+                // Many entries are zero, because an equation contains few of the unknowns. Their rows stay as they are.
                 if row[k] == ZERO {
                     continue;
                 }

@@ -59,7 +59,7 @@ impl Tracker {
         }
     }
 
-    /// The unused branch nearest to given parameters, and its distance.
+    /// Index of the unused branch nearest to given parameters, and its distance; None if all branches are used.
     pub(super) fn nearest(&self, parameters: &[Vector]) -> Option<(usize, f64)> {
         let branches = self.branches.iter().enumerate();
         let unused = branches.filter(|(_, branch)| !branch.used);

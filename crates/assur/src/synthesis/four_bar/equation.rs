@@ -3,8 +3,9 @@
 use super::closure::dot;
 use super::{Solution, Task};
 
-/// Both sides of e₂·e₃ = Z + e₀·e₂/z₃ + e₀·e₃/z₂ with Z = (z₁² − z₂² − z₃² − 1)/(2 z₂ z₃). This is the paper's (12), in
-/// which 1/z₂, 1/z₃ and the sign of Z are corrected (docs/errata.md).
+/// Both sides of e₂·e₃ = Z + e₀·e₂/z₃ + e₀·e₃/z₂ with Z = (z₁² − z₂² − z₃² − 1)/(2 z₂ z₃). The unit vectors e₀, e₂ and
+/// e₃ point along frame, output and input; z₁, z₂ and z₃ are the lengths of coupler, output and input in lengths of the
+/// frame. This is the paper's (12) with 1/z₂, 1/z₃ and the sign of Z corrected (docs/errata.md).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MainEquation {
     /// e₂·e₃ = cos(φ₂ − φ₃).

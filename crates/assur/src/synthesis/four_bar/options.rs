@@ -14,7 +14,7 @@ pub enum Options {
     Family(Family),
     /// Finitely many linkages: for three positions, or five with free starting angles.
     Exact(Vec<Solution>),
-    /// Compromises by increasing ΣJ: for more positions than these.
+    /// Compromises by increasing ΣJ: for more positions than the other cases allow.
     Minima {
         /// Minima found by the search.
         minima: Vec<Minimum>,
@@ -31,9 +31,9 @@ pub enum NoOptions {
         /// Minimum number of positions.
         least: usize,
     },
-    /// Positions that are mirror images in the line of the frame: any output and input will do.
+    /// The positions are mirror images in the line of the frame, and output and input of any lengths meet them.
     Any,
-    /// No point on the line of the first two positions has positive lengths.
+    /// The first two positions require lengths on this line, on which no point has two positive lengths.
     NoFamily(Line),
     /// Three positions require these z₂ and z₃, at least one of them negative.
     Negative {

@@ -1,5 +1,6 @@
-//! ΣJ as a function of the lengths of output and input and, if free, of their starting angles, with exact first and
-//! second derivatives. The coupler is eliminated.
+//! ΣJ, the weighted sum of J = (|r| − z₁)² over all positions, with exact first and second derivatives. It depends on
+//! the lengths of output and input and, if free, on their starting angles. The coupler z₁ is eliminated; r is the gap
+//! that output and input leave for the coupler.
 
 use nalgebra::Complex;
 
@@ -52,7 +53,8 @@ impl Objective {
         [0, 1].map(|k| Complex::from_polar(x[k].exp(), start(k)))
     }
 
-    /// Best z₁: the weighted mean of |r|, clamped to the bounds of z₁. The flag is true if no clamping was needed.
+    /// Best z₁: the weighted mean of the `gaps` |r|, clamped to the bounds of z₁. The flag is true if the mean is
+    /// within the bounds.
     fn coupler(&self, gaps: impl Iterator<Item = f64>) -> (f64, bool) {
         let sum: f64 = gaps.zip(&self.terms).map(|(gap, (_, w))| gap * w).sum();
         let mean = sum / self.total;
@@ -75,8 +77,9 @@ impl Objective {
 
     /// ΣJ with its derivatives.
     ///
-    /// With r̂ = r/|r|, ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0. As this
-    /// z₁ varies, 2 ∂z₁ ∂z₁ is subtracted from the second derivatives of the mean of J, except at a bound.
+    /// With r̂ = r/|r|, ∂|r| = r̂·∂r and ∂²|r| = r̂·∂²r + (r̂ × ∂r)(r̂ × ∂r)/|r|. At the best z₁, ∂ΣJ/∂z₁ = 0. Because
+    /// the best z₁ varies with the unknowns, 2 ∂z₁ ∂z₁ is subtracted from the second derivatives of the mean of J,
+    /// except at a bound.
     pub(super) fn at<const N: usize>(&self, x: &Point<N>) -> Value<N> {
         let links = self.links(x);
         let gap = |at: &Direction| one() - at.output * links[0] - at.input * links[1];

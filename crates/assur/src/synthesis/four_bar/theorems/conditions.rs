@@ -1,5 +1,5 @@
 //! The conditions on positive lengths, as printed and with the paper's numbers, and the theorems that consist of them.
-//! Each comes with the exact result.
+//! Each condition or theorem comes with the exact result.
 
 use super::truth::non_negative;
 use super::{Angles, Subsystem, Truth, Unknown, sine, truth};
@@ -57,8 +57,8 @@ pub struct Condition {
     pub number: u8,
     /// The unknown concerned, z₂ or z₃ as a function of z₁; none for (13).
     pub about: Option<Unknown>,
-    /// The two numbers whose signs are compared: P and Q; in (33) to (38) the two fractions in the printed order,
-    /// infinite if they divide by zero; in (13) √(1 − (e₂e₃)²) twice.
+    /// The two numbers whose signs are compared. (13): √(1 − (e₂·e₃)²), twice. (33) to (38): the two fractions in the
+    /// printed order, infinite if they divide by zero. Others: P and Q.
     pub values: [f64; 2],
     /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero, which
     /// counts as either sign: the cases with P ≥ 0 hold if P ≥ 0, the others do not.
@@ -135,7 +135,8 @@ fn of_cases(angles: &Angles) -> [Condition; 6] {
             Unknown::Output => (output, input),
             _ => (input, output),
         };
-        // The vector product of loop equation and other link: a z₁ + b z = c, so P = c/b and Q = −a/b.
+        // The vector product of the loop equation with the unit vector of the other link is a z₁ + b z = c, so P = c/b
+        // and Q = −a/b.
         let [a, b, c] = [coupler, of, frame].map(|turn| sine(other - turn));
         let not_negative = c == 0.0 || b * c > 0.0;
         let (mut values, holds) = if a == 0.0 {
