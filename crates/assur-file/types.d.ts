@@ -467,7 +467,7 @@ id: string,
 step: number, };
 export type PairDocument = { 
 /**
- * Its name.
+ * Name of the pair.
  */
 name: string, 
 /**
@@ -475,7 +475,7 @@ name: string,
  */
 kind: KindDocument, 
 /**
- * The links that it joins.
+ * Names of the links that the pair joins.
  */
 links: Array<string>, 
 /**
