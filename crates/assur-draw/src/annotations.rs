@@ -11,8 +11,8 @@ use crate::list::Role;
 pub struct Annotations {
     /// Colours of links; colours of the other links are assigned in turn.
     pub roles: Vec<(String, Role)>,
-    /// Numbers of links, also used as subscripts of their angles, as in φ₃; a link without a number lends
-    /// its name to its angle.
+    /// Numbers of links, also used as subscripts of their angles, as in φ₃. The angle of a link without a
+    /// number is named after the link.
     pub numbers: Vec<(String, String)>,
     /// Links whose wheels carry mixing blades, each with the number of blades.
     pub blades: Vec<(String, usize)>,

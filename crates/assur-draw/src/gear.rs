@@ -25,7 +25,7 @@ pub(crate) struct Teeth {
 }
 
 impl Teeth {
-    /// Makes the teeth of a wheel that meshes with all `mates`, given by number of teeth and whether a ring.
+    /// Makes the teeth of a wheel that meshes with all `mates`: the number of teeth of each, and whether it is a ring.
     pub(crate) fn new(count: u32, ring: bool, mates: &[(u32, bool)]) -> Self {
         let z = f64::from(count);
         let pitch = 0.5 * z;
