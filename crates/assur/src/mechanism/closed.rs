@@ -172,8 +172,8 @@ impl Mechanism {
             .collect()
     }
 
-    /// Angle at the pivot of the first crank, from a fixed hinge to a hinge on the crank, less the input. None unless one
-    /// of the `hinges` is fixed and the other is on this crank.
+    /// Angle at the pivot of the first crank, from the fixed hinge to the hinge on the crank, less the input. None
+    /// unless one of the `hinges` is fixed and the other is on this crank.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,

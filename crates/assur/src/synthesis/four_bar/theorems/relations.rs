@@ -98,12 +98,12 @@ impl<'a> Collected<'a> {
             .push(Relation::angle(item, self.name(name), value, value));
     }
 
-    /// eᵢ·eⱼ, where the index is 0 for the frame, 1 for the coupler, 2 for the output and 3 for the input.
+    /// Scalar product eᵢ·eⱼ of the directions of two links: 0 the frame, 1 the coupler, 2 the output, 3 the input.
     fn dot(&self, i: usize, j: usize) -> f64 {
         (self.turn(i) - self.turn(j)).cos()
     }
 
-    /// sin(φᵢ − φⱼ).
+    /// sin(φᵢ − φⱼ) of the angles of two links, with indices as in [`Self::dot`].
     fn sin(&self, i: usize, j: usize) -> f64 {
         sine(self.turn(i) - self.turn(j))
     }
