@@ -67,7 +67,7 @@ impl Annotations {
     }
 }
 
-/// A given position of a linkage; lines run from their first point to their second.
+/// A given position of a linkage. Its directions and links are lines, each from its first point to its second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPosition {
     /// Number of the position.

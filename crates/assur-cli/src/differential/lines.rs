@@ -43,7 +43,7 @@ pub(super) fn write(out: &mut impl Write, told: &Map<String, Value>) -> io::Resu
     Ok(())
 }
 
-/// Writes the six ratios with their fractions, marking the largest, and the identities between ratios.
+/// Writes the six speed ratios as numbers and fractions, marking the largest, then the identities between ratios.
 fn ratios(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     let largest = entries(told, "largest");
     for (name, value) in entries(told, "ratios") {

@@ -57,7 +57,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Limits the number of parts, and the number of references to parts.
+    /// Checks that there are not too many parts or references to parts.
     ///
     /// # Errors
     /// Too many parts or references.
