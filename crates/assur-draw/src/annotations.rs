@@ -11,7 +11,8 @@ use crate::list::Role;
 pub struct Annotations {
     /// Colours of links; colours of the other links are assigned in turn.
     pub roles: Vec<(String, Role)>,
-    /// Numbers of links, also used as subscripts of their angles, as in φ₃; other angles have the link's name.
+    /// Numbers of links, also used as subscripts of their angles, as in φ₃. The angle of a link without a
+    /// number is named after the link.
     pub numbers: Vec<(String, String)>,
     /// Links whose wheels carry mixing blades, each with the number of blades.
     pub blades: Vec<(String, usize)>,
@@ -19,13 +20,13 @@ pub struct Annotations {
     pub tags: Vec<Tag>,
     /// Symbol of the input angle, drawn beside its arc. A driven slide has an arrow beside its block instead.
     pub input: Option<String>,
-    /// Loop vectors: first and last point, and symbol. If the list is not empty, only its vectors are drawn.
+    /// Loop vectors: first and last point, and symbol. If the list is empty, the vectors are found automatically.
     pub loop_vectors: Vec<([String; 2], String)>,
     /// Angles to be drawn: first point, vertex and third point, and the symbol of the angle from first to third.
     pub corners: Vec<([String; 3], String)>,
     /// The given positions of a synthesis.
     pub given: Vec<GivenPosition>,
-    /// Height of the ground, drawn only if its distance from the drawing is at most the drawing's size.
+    /// Ordinate of the ground line, which is drawn only if its distance from the drawing is at most the drawing's size.
     pub ground: Option<f64>,
 }
 
@@ -39,8 +40,8 @@ impl Annotations {
         }
     }
 
-    /// Adds the letters of the paper on the combined method (Sakhabutdinova): of the sides of the rigid triangles, of
-    /// the angles from the first side to the second, and of link DC.
+    /// Adds the letters of the paper on the combined method (Sakhabutdinova) for the sides of the rigid triangles, for
+    /// the angle from the first side of each triangle to the second, and for link DC.
     #[must_use]
     pub fn with_letters_of_combined_method(mut self) -> Self {
         let owned = |letters: &str| letters.chars().map(String::from).collect::<Vec<_>>();
@@ -66,7 +67,7 @@ impl Annotations {
     }
 }
 
-/// A given position of a linkage; lines run from their first point to their second.
+/// A given position of a linkage. Its directions and links are lines, each from its first point to its second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPosition {
     /// Number of the position.
@@ -92,7 +93,7 @@ pub struct Tag {
 /// Numbers of mixing blades on the wheel on the rocker's shaft, and on each wheel around it.
 const BLADES: [usize; 2] = [3, 4];
 
-/// Angle from the centre line of a mixer's wheel to the direction of the wheel's number, radians.
+/// Angle from the centre line of two wheels in mesh to the direction in which the wheel's number is written, radians.
 const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4, and of wheels 5, 6, … around it.
@@ -116,7 +117,7 @@ impl From<&Mixer> for Annotations {
         ];
         let links = links.map(|(link, role)| (link.to_owned(), role));
         let pairs = mixer.gears.pairs();
-        // Wheel 4 takes the centre line of the first wheel that it drives.
+        // The number of wheel 4 is placed by the centre line to the first wheel that it drives.
         let lines = pairs.first().into_iter().chain(pairs);
         let lines: Vec<f64> = lines.map(|pair| pair.centre_line()).collect();
         let wheels = || (0..lines.len()).map(|k| format!("wheel{}", k + 4));

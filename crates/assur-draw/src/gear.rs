@@ -25,7 +25,7 @@ pub(crate) struct Teeth {
 }
 
 impl Teeth {
-    /// Makes the teeth of a wheel that meshes with all of `mates` (number of teeth, whether a ring).
+    /// Makes the teeth of a wheel that meshes with all `mates`: the number of teeth of each, and whether it is a ring.
     pub(crate) fn new(count: u32, ring: bool, mates: &[(u32, bool)]) -> Self {
         let z = f64::from(count);
         let pitch = 0.5 * z;
@@ -180,7 +180,7 @@ mod tests {
         let trains: Vec<Vec<Wheel>> = set.pairs().iter().map(|pair| pair.train()).collect();
         let mate = |wheel: &Wheel| (wheel.teeth, wheel.ring);
         for (index, train) in trains.iter().enumerate() {
-            // The driver meshes with the next wheel of every train.
+            // Wheel 0 of every train is the same driver; it meshes with wheel 1 of each.
             let teeth = |k: usize| {
                 let near = match k {
                     0 => trains

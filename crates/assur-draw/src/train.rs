@@ -96,7 +96,7 @@ enum Wheels {
     Bevel(Box<Bevel>),
 }
 
-/// Label, whose number is the index of its text.
+/// A label. Its discriminant is the index of its text in `TEXTS`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Name {
     Sun,
@@ -130,7 +130,7 @@ const fn role(body: Body) -> Role {
 }
 
 impl TrainFigure {
-    /// Makes the drawing of a differential, whether its conditions are met or not.
+    /// Makes the drawing of a differential, even of one that cannot be built.
     pub fn new(layout: &Layout, view: TrainView) -> Self {
         let (wheels, rigid) = match layout.train().kind() {
             Kind::Planar | Kind::Stepped => {
@@ -138,7 +138,7 @@ impl TrainFigure {
                 let rigid = planar.rigid();
                 (Wheels::Planar(Box::new(planar)), rigid)
             }
-            // Seen from the side, wheels look different in each pose.
+            // Seen from the side, wheels look different in each pose, so none is drawn in advance.
             Kind::Bevel => {
                 let bevel = Bevel::new(layout, view);
                 (Wheels::Bevel(Box::new(bevel)), List::default())
@@ -174,7 +174,7 @@ impl TrainFigure {
         }
     }
 
-    /// Returns the drawing in a pose: `n, x, y, θ, …` of the `n` bodies, then a display list.
+    /// Returns the drawing in a pose: the number of bodies, then x, y and θ of each body, then a display list.
     pub fn frame(&self, pose: &TrainPose) -> Vec<f32> {
         let mut list = List::default();
         let poses = match &self.wheels {

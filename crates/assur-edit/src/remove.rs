@@ -91,7 +91,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Removes slides and their drivers. Adds the points of the removed lines of the frame to `bared`.
+    /// Removes slides and their drivers. Adds the points of each removed line to `bared` if the line is on the frame.
     fn drop_slides(&mut self, gone: impl Fn(&SlideDocument) -> bool, bared: &mut BTreeSet<String>) {
         let document = &mut self.document;
         let kept: Vec<bool> = document.slides.iter().map(|slide| !gone(slide)).collect();

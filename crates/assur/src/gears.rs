@@ -69,7 +69,8 @@ impl GearPair {
     ///
     /// # Errors
     /// Every reason at once: numbers of teeth that are not whole, positive and within [`TEETH`]; a module that is not
-    /// positive; values that are not finite; equal numbers of teeth in internal mesh. Index 0 means the driven wheel.
+    /// positive; values that are not finite; equal numbers of teeth in internal mesh. In a reason, wheel 0 is the
+    /// driven wheel.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,

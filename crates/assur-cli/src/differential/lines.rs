@@ -43,7 +43,7 @@ pub(super) fn write(out: &mut impl Write, told: &Map<String, Value>) -> io::Resu
     Ok(())
 }
 
-/// Writes the six ratios with their fractions, marking the largest, and the identities between ratios.
+/// Writes the six speed ratios as numbers and fractions, marking the largest, then the identities between ratios.
 fn ratios(out: &mut impl Write, told: &Map<String, Value>) -> io::Result<()> {
     let largest = entries(told, "largest");
     for (name, value) in entries(told, "ratios") {
@@ -100,7 +100,8 @@ fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value
     all
 }
 
-/// Returns the entries of an object with their names, or of a list with empty names; none if the key is missing.
+/// Returns the entries under a key: those of an object with their names, those of a list with empty names. None if the
+/// key is missing.
 fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     match told.get(key) {
         Some(Value::Object(fields)) => fields

@@ -93,7 +93,8 @@ fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
     (step, [from, to])
 }
 
-/// Returns the smallest usual step of angles not below `least` and `finest`; steps beyond a turn are whole turns.
+/// Returns the smallest usual step of angles that is at least `least` and at least `finest`, degrees. Steps beyond a
+/// turn are whole turns.
 fn angle_step(least: f64, finest: f64) -> f64 {
     if least < 1.0 && finest <= least {
         return round_step(least);

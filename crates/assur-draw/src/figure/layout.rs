@@ -8,7 +8,7 @@ use super::{View, roles};
 use crate::list::Role;
 use crate::parts;
 
-/// Half the angle, radians, of the sector beyond a link's end that must be free of its points to hold a name.
+/// Half-angle of the sector beyond a link's end, radians. A name fits there if no other point of the link is in it.
 const BEYOND: f64 = 0.9;
 
 /// Pose-independent features of the drawing. Bodies are the frame and the links that are not fixed to another body.
@@ -75,7 +75,7 @@ impl Layout {
         layout
     }
 
-    /// Returns a link's corners: two of a bar, three or more of a plate, none of a fixed link without own points.
+    /// Returns a link's corners: two of a bar, three or more of a plate, none of a link without points of its own.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();
@@ -305,7 +305,7 @@ fn pivot_of(mechanism: &Mechanism, link: LinkId) -> Option<PointId> {
     points.find(|point| is_fixed(mechanism, **point)).copied()
 }
 
-/// Whether no part of a link lies beyond `point`, seen from `from`.
+/// Whether no other point of a link lies in the sector beyond `point`, seen from `from`.
 fn is_end(home: Posed<'_, 1>, link: LinkId, from: PointId, point: PointId) -> bool {
     let (at, outward) = (home.place(point), home.place(point) - home.place(from));
     let mut others = home.mechanism.points_of(link).iter();
@@ -315,7 +315,7 @@ fn is_end(home: Posed<'_, 1>, link: LinkId, from: PointId, point: PointId) -> bo
     })
 }
 
-/// Returns the link to which a link is ultimately fixed.
+/// Returns the link to which a link is ultimately fixed: the link itself, another link, or the frame.
 pub(super) fn body_of(mechanism: &Mechanism, link: LinkOrFrame) -> LinkOrFrame {
     link.and_then(|link| mechanism.root_of(link))
 }

@@ -12,18 +12,19 @@ use crate::list::{List, Look, Role};
 /// Number of points on a path per turn of the link that carries the tracing point. The path deviates from its chords by
 /// less than 1/30 of a pixel if its second derivative with respect to the link's angle is at most 1000 pixels.
 const TURN: usize = 432;
-/// Number of poses of an oscillating motion, per turn or per shorter arc.
+/// Number of poses of an oscillating motion: per turn of the crank, or per arc that is shorter than a turn.
 const SWING: usize = 360;
 /// Minimum number of points on an arc.
 const MIN_POINTS: f64 = 90.0;
 /// Maximum number of computed body positions, over all poses. Paths over many turns cover each other: they are sampled
 /// more coarsely and, if that is not enough, only the first turns are drawn.
 const MAX_PLACED: usize = 150_000;
-/// Overhead of a pose, expressed as a number of bodies.
+/// Fixed cost of computing a pose, expressed as the number of body positions that cost as much.
 const OF_A_POSE: usize = 8;
 /// Minimum number of poses per turn.
 const COARSEST_TURN: usize = 60;
-/// Angle from which a link counts as turning fully: less than a turn, because poses may be missing at its ends.
+/// Rotation from which a link counts as turning fully. It is less than a turn, because the first and the last pose may
+/// be missing.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
 /// Relative inset of samples from the ends of an arc, where points may coincide and angles be mere rounding error.
 pub(super) const OFF: f64 = 1e-9;
@@ -108,7 +109,7 @@ pub(super) fn path(motion: &Motion, layout: &Layout, runs: &[Run], point: PointI
             paths.push(Path::Circle(centre, arm.norm()));
             break;
         }
-        // Difference between the angle of the arm and that of the link.
+        // Angle of the arm, the line from the pivot to the point, less the angle of the link.
         let lead = arm.y.atan2(arm.x) - mechanism.angle(pose, link).value();
         let count = (TURN as f64 * (high - low) / TAU).ceil().max(MIN_POINTS);
         let place = |i: usize| {

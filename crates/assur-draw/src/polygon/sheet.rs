@@ -1,4 +1,5 @@
-//! The sheet for the polygons of a motion, with one scale and one fixed pole over the whole motion.
+//! The sheet for the velocity or acceleration polygons of a motion. The pole is fixed; the scale is reduced only for
+//! polygons that would not fit.
 
 use assur::motion::{InputRate, Motion, Sampling, Shown, Spacing};
 use assur::polygons::{Order, Polygon};
@@ -12,10 +13,10 @@ const POSES: Sampling = Sampling {
     spacing: Spacing::Middles,
     shown: Shown::Spread,
 };
-/// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion without dead points.
+/// Limit of a polygon's size, relative to the median size, in a motion without dead points. Larger polygons are left
+/// out when the size of the sheet is chosen.
 const MAX_SIZE: f64 = 10.0;
-/// Greatest size of a polygon, relative to the median, that counts for the sheet of a motion with dead points, near
-/// which vectors grow without bound.
+/// As [`MAX_SIZE`], in a motion with dead points, near which vectors grow without bound.
 const MOST_OF_DEAD: f64 = 3.0;
 /// Least distance of the pole from the sheet's edges, as a share of the side of the sheet.
 const EDGE: f64 = 0.1;
@@ -30,7 +31,7 @@ const SMALLER: [f64; 3] = [1.0, 2.0, 5.0];
 /// A rectangle about the pole: left, bottom, right, top.
 type Rectangle = [f64; 4];
 
-/// The square sheet of a motion's polygons of one order.
+/// The square sheet of a motion's velocity polygons or of its acceleration polygons.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PolygonSheet(Rectangle);
 

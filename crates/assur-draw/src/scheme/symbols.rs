@@ -15,7 +15,7 @@ const END_ON: f64 = 0.35;
 pub(super) struct Pen<'a> {
     pub(super) list: &'a mut List,
     pub(super) projection: &'a Projection,
-    /// The unit of symbols.
+    /// Length of one symbol unit, in the coordinates of the scheme.
     pub(super) unit: f64,
     pub(super) role: Role,
     at: Point3,
@@ -35,7 +35,7 @@ impl<'a> Pen<'a> {
         moved: &Displacement,
     ) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
-        // If the second direction is not given, it is parallel to the xy plane.
+        // A pair without a second direction gets one that is parallel to the xy plane.
         let across = pair.second.unwrap_or_else(|| {
             let level = Vector3::z().cross(&axis);
             level.try_normalize(1e-6).unwrap_or_else(Vector3::x)

@@ -26,7 +26,7 @@ pub(super) const FINE: f64 = 0.005;
 const LETTERS: f64 = 0.035;
 /// Smallest radius of a wheel with room for more than its number, in units of the drawing.
 const ROOM: f64 = 11.0;
-/// Distance from the main axis to the edge of the drawing, in units; it defines the unit.
+/// Distance from the main axis to the edge of the drawing. The unit of the drawing is 1/50 of this distance.
 const HALF: f64 = 50.0;
 /// Distances of the inner and the outer edge of the hatched ground from the wheels, in units.
 const GROUND: [f64; 2] = [1.6, 4.4];

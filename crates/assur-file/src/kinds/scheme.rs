@@ -1,4 +1,4 @@
-//! Saved form of a scheme: links and pairs that do not move, but whose mobility is computed.
+//! Saved form of a scheme of links and pairs. The mobility of a scheme is computed, but not its motion.
 
 use assur::mechanism::Defect;
 use assur::mobility::{Cut, PairKind, PairSpec, Point3, Scheme, SchemeSpec, Vector3};
@@ -61,11 +61,11 @@ fn from_the_front() -> [f64; 2] {
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]
 pub struct PairDocument {
-    /// Its name.
+    /// Name of the pair.
     pub name: String,
     /// Type of the pair.
     pub kind: KindDocument,
-    /// The links that it joins.
+    /// Names of the links that the pair joins.
     pub links: Vec<String>,
     /// Position of the pair.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -100,7 +100,7 @@ pub enum KindDocument {
     SphereInCylinder,
     CylinderOnPlane,
     SphereOnPlane,
-    /// A pair of unspecified type, with a number of `freedoms`.
+    /// A pair of unspecified type, given only by its number of `freedoms`.
     Class,
 }
 

@@ -357,7 +357,8 @@ impl Conversion<'_> {
         }
     }
 
-    /// Lists a driver moved by hand as left out, or else the speed of the first driver, with the entry made by `told`.
+    /// Lists what is left out of a driver: its motion by hand or, for the first driver, its speed. `told` makes the
+    /// entry for the speed.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
         if by_hand {

@@ -1,4 +1,4 @@
-//! Contents of a PMKS+ URL in either form, and the mechanism that they describe.
+//! Contents of a PMKS+ URL in plain or abbreviated form, and the mechanism that they describe.
 
 use std::f64::consts::{PI, TAU};
 
@@ -57,7 +57,7 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Limits the number of parts, and the number of references to parts.
+    /// Checks that there are not too many parts or references to parts.
     ///
     /// # Errors
     /// Too many parts or references.
@@ -98,7 +98,7 @@ impl Plan {
         let size = sketch.size();
         let blocks = self.blocks(&mut sketch)?;
         let bars = self.bars(&mut sketch, &blocks)?;
-        // For each joint that is a slide, the index of the slide.
+        // For each joint, the index of its slide if the joint is prismatic.
         let mut slides = vec![None; self.pins.len()];
         for Block { pair, pin } in &blocks {
             slides[*pair] = Some(self.slide(&mut sketch, &bars, *pair, *pin, size)?);
@@ -171,7 +171,7 @@ impl Plan {
             let mut joints = Vec::new();
             for id in &member.joints {
                 let joint = self.pin(id)?;
-                // A link that contains a prismatic joint gets the pin that this joint guides.
+                // A prismatic joint of the link is replaced by the pin that this joint guides.
                 let guided = blocks.iter().find(|block| block.pair == joint);
                 let joint = guided.map_or(joint, |block| block.pin);
                 if !joints.contains(&joint) {
@@ -211,7 +211,7 @@ impl Plan {
         };
         let mut riders = bars.iter().map(|(bar, _)| *bar);
         let rides = |bar: &usize| Body::Bar(*bar) != on && sketch.bars[*bar].joints.contains(&pin);
-        // Where two parts of a link meet, older URLs mean a weld of these parts to each other, not to the block.
+        // If two parts of one link meet at a welded pin, the weld in older URLs joins these parts, not the block.
         let id = &self.pins[pin].id;
         let meet = self
             .members
@@ -334,7 +334,7 @@ impl Plan {
                 parts: member.parts.iter().map(called).collect(),
             });
         }
-        // PMKS+ gives every new link a mass of 1.
+        // A mass of 1 is not listed: PMKS+ gives this mass to every new link.
         let heavy = self
             .members
             .iter()

@@ -7,19 +7,22 @@ use crate::motion::{DeadPoint, DeadPointKind, Motion};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Tolerance of poses at a fold, relative to the linkage's size: ten times the root of the input's tolerance.
+/// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance,
+/// because a pose near a fold changes with the square root of the input.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset, relative to the domain, from an unmatched end to the start of the search for the other branch.
+/// Maximum offset of the input, relative to the domain's span, from an unmatched end of a branch to the start of the
+/// search for the other branch.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 /// The meetings of all branches.
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
-    /// True if links on which others depend can swing freely with the driver at rest. The branches that this swing
-    /// connects are then not determined.
+    /// True if coupler and rocker of a kite can swing freely with the driver at rest, and other links depend on them.
+    /// The branches that this swing connects are then not determined.
     pub(super) incomplete: bool,
-    /// Dead points at which only one branch is known to end: the input, and an offset inwards along that branch.
+    /// Dead points at which only one branch is known to end: the input, and a signed offset of the input into that
+    /// branch.
     pub(super) unmatched: Vec<[f64; 2]>,
 }
 
@@ -29,7 +32,7 @@ struct End {
     dead: DeadPoint,
     /// Index of the end within its arc: 0 for the start, 1 for the end.
     side: usize,
-    /// A small offset from the end back along the branch.
+    /// Small signed offset of the input, from the end back into the branch.
     back: f64,
     /// Input at the end, reduced to the first period.
     wrapped: f64,

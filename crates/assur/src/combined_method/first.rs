@@ -67,7 +67,8 @@ impl First {
         }
     }
 
-    /// The determinants of Cramer's rule for G: det(x′_G, y′_G), det(x′_G), det(y′_G).
+    /// The determinants of Cramer's rule for x′_G and y′_G: det(x′_G, y′_G) of the equations, then the numerators
+    /// det(x′_G) and det(y′_G).
     fn determinants(&self) -> [f64; 3] {
         let [_, b1, b2, b3, b4, b5] = self.b;
         [b1 * b2 - b3 * b4, b5 * b2, -b3 * b5]
@@ -96,7 +97,8 @@ impl First {
         ]
     }
 
-    /// Equation (6), the coefficients c and b, Cramer's rule, the derivatives that follow from it, and ψ′.
+    /// Relations of the paper: equation (6), the coefficients c and b, Cramer's rule, the derivatives that follow from
+    /// this rule, and ψ′.
     pub(super) fn relations(&self, places: &Places) -> Vec<Relation> {
         let c = &self.c;
         let [_, b1, b2, b3, b4, b5] = self.b;

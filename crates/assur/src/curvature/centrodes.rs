@@ -40,7 +40,7 @@ impl Centrodes {
     }
 }
 
-/// The pole of a link in a pose, and the sign of its angular velocity.
+/// The pole of a link in a pose, and the sign of the link's angular velocity. None if the pole is at infinity.
 fn rolling_at(motion: &Motion, pose: &Pose<3>, link: LinkId, input: f64) -> Option<(Rolling, f64)> {
     let mechanism = motion.mechanism();
     let (velocity, spin) = mechanism.twist(pose, mechanism.body_of(Some(link)));

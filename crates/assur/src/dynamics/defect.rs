@@ -24,7 +24,8 @@ pub enum Defect {
         /// Sum of the periods of sun and ring, p₁ + p₄.
         periods: u32,
     },
-    /// The shaft is to turn at a multiple of its own speed, or of the speed of a shaft with such a drive.
+    /// The shaft is to turn at a multiple of its own speed, or of the speed of a shaft that is itself driven at a
+    /// multiple of another's.
     Tie {
         /// The shaft.
         shaft: Shaft,

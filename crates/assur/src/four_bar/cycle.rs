@@ -15,8 +15,9 @@ use super::FourBar;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
-    /// Period of the input after which the motion repeats, in whole turns of a crank: two, for example, if a change
-    /// point connects both assemblies. None for a driven slide, and if inputs a turn apart give different poses.
+    /// Period of the input after which the motion repeats, radians. It is a whole number of turns: two, for example,
+    /// if a change point connects both assemblies. None for a driven slide, and if inputs a turn apart give different
+    /// poses.
     period: Option<f64>,
     /// True if the input is the angle of a crank.
     turns: bool,
@@ -93,8 +94,9 @@ impl Cycle {
         self.turns
     }
 
-    /// Period after which the motion repeats, in whole turns of a crank. An input outside the arcs is shifted into them
-    /// by whole periods. None for a driven slide, and for a crank if inputs a turn apart give different poses.
+    /// Period of the input after which the motion repeats, radians: a whole number of turns. An input outside the arcs
+    /// is shifted into them by whole periods. None for a driven slide, and for a crank if inputs a turn apart give
+    /// different poses.
     pub fn period(&self) -> Option<f64> {
         self.period
     }

@@ -14,7 +14,8 @@ pub struct Mate {
     pub centre_line: f64,
 }
 
-/// A driver and 1 to [`GearSet::MAX_WHEELS`] driven wheels, each a pair with the driver, of the same module and kind of mesh.
+/// A driver and 1 to [`GearSet::MAX_WHEELS`] driven wheels. Each wheel forms a pair with the driver; all pairs have the
+/// same module and the same kind of mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GearSet {
     pairs: Vec<GearPair>,

@@ -71,7 +71,7 @@ impl DrivenFourBar<'_> {
         let mut found = Vec::new();
         for input in crossings.chain(swings) {
             let ahead = (input - from).rem_euclid(period);
-            // Rounding may put a change point at the start of the arc just before the start.
+            // A change point at the start of the arc may lie just before it because of rounding.
             let ahead = if ahead > period * (1.0 - tolerance::NEGLIGIBLE) {
                 0.0
             } else {
@@ -153,7 +153,7 @@ impl Mechanism {
     }
 
     /// True if the closed form gives the whole motion: the only driver is a crank, there is at most one four-bar, and
-    /// wheels return with the crank and drive nothing else.
+    /// wheels return to their angles with the crank or rocker and drive nothing else.
     pub(crate) fn whole_closed_form(&self) -> bool {
         self.layout.whole_closed_form(&self.drawn)
     }
@@ -172,8 +172,8 @@ impl Mechanism {
             .collect()
     }
 
-    /// Angle at the pivot of the first crank, from the fixed one of two hinges to the other hinge, less the input. None
-    /// unless one hinge is fixed and the other is on this crank.
+    /// Angle at the pivot of the first crank, from the fixed hinge to the hinge on the crank, less the input. None
+    /// unless one of the `hinges` is fixed and the other is on this crank.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,

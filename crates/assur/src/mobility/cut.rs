@@ -3,8 +3,8 @@
 use super::Scheme;
 use crate::sorting::sort;
 
-/// A link detached from a pair. Detaching either link of a pair of two removes the pair; a compound hinge loses one
-/// link at a time.
+/// A link detached from a pair. If the pair joins two links, detaching either link removes the pair; a compound hinge
+/// loses one link at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Cut {
     /// Index of the pair.

@@ -29,7 +29,7 @@ impl SchemeSpec {
     /// The scheme of a linkage with its pairs as drawn, even if it is locked, has too few drivers, or does not close.
     ///
     /// # Errors
-    /// Names that refer to nothing, and all other defects that leave no pairs to count.
+    /// All defects of names and numbers ([`LinkageSpec::defects`]), with which there are no pairs to count.
     pub fn of_drawing(spec: &LinkageSpec) -> Result<Self, Vec<Defect>> {
         let defects = spec.defects();
         if defects.is_empty() {

@@ -41,9 +41,9 @@ pub struct Pair {
     pub kind: PairKind,
     /// Numbers of the links that the pair joins: two, or k links in a compound hinge, which counts as k − 1 pairs.
     pub links: Vec<usize>,
-    /// Position of the pair.
+    /// Position of the pair; None if it is not given.
     pub place: Option<Point3>,
-    /// Unit vector along the axis or normal of the pair.
+    /// Unit vector along the axis or normal of the pair; None if the pair has none or it is not given.
     pub axis: Option<Vector3>,
     /// Second direction, a unit vector perpendicular to the axis; only a universal pair or a line contact has one.
     pub second: Option<Vector3>,
@@ -190,7 +190,8 @@ impl Scheme {
         Scale::of(&self.pairs)
     }
 
-    /// Place and directions of a pair, in units of `scale`; None if any is missing, or for a [`PairKind::Class`].
+    /// Kind, place and directions of a pair, with lengths in units of `scale`. None if the place or a direction is
+    /// missing, or for a [`PairKind::Class`].
     pub(super) fn form(&self, pair: usize, scale: &Scale) -> Option<Form> {
         let pair = &self.pairs[pair];
         let kind = match pair.kind {
@@ -252,7 +253,7 @@ impl Scale {
             _ => 0.0,
         });
         let size = distances.chain(pitches).fold(0.0, f64::max);
-        // The size is 1 if all pairs are at the same place.
+        // Without extent (all pairs at the same place, no screws) the size is 1, to avoid division by zero.
         let size = if size > 0.0 { size } else { 1.0 };
         Self { centre, size }
     }

@@ -41,7 +41,7 @@ pub struct Sampling {
 }
 
 impl Cycle {
-    /// Length of an arc in turns of the crank, at least 1: a shorter arc, and a slide's range, count as one.
+    /// Length of an arc in turns of the crank, at least 1; it is 1 if the cycle has no period, as for a driven slide.
     pub fn turns_of(&self, [from, to]: [f64; 2]) -> f64 {
         match self.period() {
             Some(_) => ((to - from) / TAU).max(1.0),
@@ -92,7 +92,7 @@ impl Cycle {
 }
 
 impl Motion {
-    /// Sample inputs as in [`Cycle::samples`], but with that density in each turn of the fastest driver or wheel.
+    /// Sample inputs as in [`Cycle::samples`], but `sampling` holds for each turn of the fastest driver or wheel.
     pub fn samples(&self, sampling: Sampling) -> Vec<Vec<f64>> {
         let quickest = self.mechanism().quickest();
         let [start, end] = self.cycle().axis();

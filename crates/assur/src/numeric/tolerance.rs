@@ -27,11 +27,11 @@ pub(crate) const DISTINCT: f64 = 1e-7;
 pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
 
 /// A thousandth: a pose this far from a singular one is near it, and inputs this far apart are different. At this
-/// distance the next term of an expansion is a millionth, [`TRIPLE_ROOT`].
+/// distance the second-order term of an expansion is a millionth, [`TRIPLE_ROOT`].
 pub(crate) const NEAR: f64 = 1e-3;
 
 /// Maximum absolute value of a length, a coordinate, a time or a load, in any unit. Cubes of ratios of such values are
-/// far from overflow, and their sums keep half of the digits.
+/// far from overflow, and sums of such values keep half of the digits.
 pub const FARTHEST: f64 = 1e9;
 
 /// Range of a positive length, in any unit.

@@ -8,7 +8,8 @@ use crate::numeric::graph::Partition;
 /// the parts with surplus constraints.
 ///
 /// # Errors
-/// All faults of single pairs and drivers, or else all faults of the count (surplus only if not `surplus_allowed`).
+/// All faults of single pairs and drivers or, if there are none, all faults of the count. Surplus constraints are a
+/// fault only if they are not allowed.
 pub(super) fn check(
     graph: &Graph,
     drivers: &[Driver],

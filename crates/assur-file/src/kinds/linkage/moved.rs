@@ -12,7 +12,7 @@ impl LinkageDocument {
         }
     }
 
-    /// Checks single fields of a document that need not move yet.
+    /// Checks the fields of the document, but not whether its linkage can move.
     ///
     /// # Errors
     /// All problems, each naming the field.
@@ -149,9 +149,9 @@ impl LinkageDocument {
         others.filter_map(angle).collect()
     }
 
-    /// The quantities to be plotted for a choice on the page, either all angles or all coordinates. `angles`
-    /// stands for the outputs or, if there are none, for all angles; `LINK.angle` for one angle; the name
-    /// of a point for both its coordinates. None for an unknown name.
+    /// The quantities to be plotted for a choice on the page. `angles` stands for the outputs of the same kind as
+    /// the first (angle or coordinate) or, if there are no outputs, for all angles; `LINK.angle` for one angle;
+    /// the name of a point for both its coordinates. None for an unknown name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
             let mut asked = self.outputs(mechanism);

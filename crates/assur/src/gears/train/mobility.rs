@@ -44,7 +44,8 @@ impl Counts {
         3 * i64::from(self.links) - 2 * i64::from(self.one_freedom) - i64::from(self.two_freedoms)
     }
 
-    /// Number of passive constraints, one for each satellite after the first. The count of mobility is too low by this.
+    /// Number of passive constraints: one for each satellite after the first. Each lowers [`Self::mobility`] by one,
+    /// but removes no freedom.
     pub fn passive(&self) -> i64 {
         2 - self.mobility()
     }

@@ -2,7 +2,7 @@
 
 use super::{Coupling, Kind, Layout, Member, Shafts, Train};
 
-/// Angular velocity of a satellite, or its angle of rotation.
+/// Angular velocity of a satellite or, in a planar train, its angle of rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spin {
     /// Angular velocity relative to the carrier, about the satellite's own axis.
@@ -53,8 +53,9 @@ pub struct Velocities {
 }
 
 impl Layout {
-    /// Radii of the circles of sun and ring on which the satellite rolls: a_w z₁/(z₁ + z₂) and a_w z₄/(z₄ − z₂′). For
-    /// gears in contact these are the pitch radii d/2. For magnets the circles are in the gaps or near them.
+    /// Radii of the circles of sun and ring on which the satellite rolls: a_w z₁/(z₁ + z₂) and a_w z₄/(z₄ − z₂′), with
+    /// the axis distance a_w. For gears in contact these are the pitch radii d/2. For magnets the circles are in the
+    /// gaps or near them.
     pub fn rolling_radii(&self, coupling: Coupling) -> [f64; 2] {
         let teeth = |member| f64::from(self.train().teeth(member));
         let [sun, ring] = [teeth(Member::Sun), teeth(Member::Ring)];

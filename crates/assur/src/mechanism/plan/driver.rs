@@ -54,7 +54,8 @@ impl DrivenPair {
 }
 
 impl Bodies {
-    /// Hinge between two bodies, with its position on each of them.
+    /// Hinge between two bodies: its point, its position on the base, and its position on the other body. None if the
+    /// bodies share no point.
     pub(in crate::mechanism) fn hinge(
         &self,
         [base, body]: [BodyId; 2],
@@ -115,7 +116,7 @@ impl Placed<'_> {
     }
 
     /// Drawn input. The angle of a crank relative to a moving link is reduced to at most half a turn. If the pose is
-    /// known, the input and the driven link have the whole turns of this pose.
+    /// known, the input and the driven link's angle get the number of whole turns that they have in this pose.
     pub(in crate::mechanism) fn drawn_input(
         &mut self,
         spec: &Resolved<'_>,

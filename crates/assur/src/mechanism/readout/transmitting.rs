@@ -54,7 +54,7 @@ impl Mechanism {
         })
     }
 
-    /// Angle from one link of a dyad to the other, before folding.
+    /// Angle from the first link of a dyad to the second, before folding to an acute angle.
     pub(in crate::mechanism) fn between_links<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -67,7 +67,7 @@ impl Mechanism {
         turned(lines, angles)
     }
 
-    /// Angle from the line of a dyad to its rod, before folding.
+    /// Angle from the line of a dyad's slide to its rod, before folding to an acute angle.
     pub(in crate::mechanism) fn unfolded_pressure_angle<const N: usize>(
         &self,
         pose: &Pose<N>,

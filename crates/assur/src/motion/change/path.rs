@@ -3,18 +3,19 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// Step length below which the input gives way: ten halvings of the whole range.
+/// Length of a failed step from which the input is moved too, relative to the range of the changed dimension: ten
+/// halvings of the range.
 const MIN_STEP: f64 = 1.0 / 1024.0;
-/// Maximum number of steps tried; the input gives way only in a few of them.
+/// Number of tried steps after which a failed step ends the path, unless moving the input helps.
 const MAX_TRIES: usize = 200;
 
-/// Part of a path followed so far. Lengths are relative to the range of the dimension, so the path of a short change is
-/// the beginning of that of a longer one.
+/// The part of a path followed so far. Lengths are relative to the range of the changed dimension, so the path of a
+/// short change is the beginning of the path of a longer change.
 pub(super) struct Path {
     pub(super) here: Assembled,
     pub(super) length: f64,
     pub(super) gave_way: bool,
-    /// Obstacle met before the end of the path.
+    /// Obstacle that ended the path too early; None if there was none.
     pub(super) obstacle: Option<NoNeighbour>,
 }
 
@@ -61,8 +62,9 @@ impl Path {
     }
 }
 
-/// Moves the input by the one of [`INPUT_STEPS`], in either sense, that leaves the opened loop furthest from opening
-/// (largest margin of its step). Up to eight further moves in the same sense are made while the margin grows.
+/// Moves the input by the one of [`INPUT_STEPS`], in either sense, at which the loop that had opened is furthest from
+/// opening: [`Assembled::margin`] is largest. Up to eight moves in the same sense follow while the margin grows. None
+/// if the linkage can be assembled at none of these inputs.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));
@@ -83,7 +85,7 @@ fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assem
     Some(best)
 }
 
-/// Moves the linkage back towards the wanted input as far as possible.
+/// Moves the input back towards `wanted` as far as the linkage can be followed.
 fn returned(mut here: Assembled, setting: Setting, wanted: f64) -> Assembled {
     let mut step = 1.0_f64;
     while here.input() != wanted {

@@ -17,11 +17,14 @@ use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, Sta
 use crate::{Jet, tolerance};
 use knots::MAX_TURN;
 
-/// Number of successful steps before a longer one is tried: a failed step costs as much as a successful one.
+/// Number of successful steps before a longer one is tried. Trying more often would not pay: a failed step costs as
+/// much as a successful one.
 const STEPS_BEFORE_LONGER: usize = 4;
-/// Fraction of the estimated certifiable step that is tried: the bounds grow a little along the step.
+/// Length of the next step, as a fraction of the length estimated to be certifiable. It is below 1, because the bounds
+/// used in the estimate grow a little along a step.
 const STEP_SAFETY: f64 = 0.8;
-/// Maximum work, in samples times bodies: about half a second. A train with hunting teeth may need more.
+/// Maximum work for a motion, in samples times bodies: about half a second. A train with hunting teeth may need more;
+/// it is then followed only in part.
 const MAX_WORK: usize = 250_000;
 
 /// Maximum length of a step. The guess for a group is interpolated over a step, so steps are shorter with groups and
@@ -56,7 +59,7 @@ pub(super) struct Continuation<'a> {
     orientations: List<BodyId, Orientation>,
     /// Bodies whose whole turns are tracked.
     tracked: Vec<BodyId>,
-    /// Smooth roots of the change points already passed, as exact as the nearby poses.
+    /// Signed roots around the change points already passed, as exact as the nearby poses.
     pub(super) smooth_roots: Vec<SmoothRoot>,
     /// The next input at which the motion may repeat.
     repeats: f64,
@@ -71,7 +74,8 @@ struct Prediction<'a> {
 }
 
 impl<'a> Prediction<'a> {
-    /// Predicts the pose a step `width` away. Orientations stay: in a certified step no body makes half a turn.
+    /// Predicts the pose a step `width` away. The orientations are not changed, because in a certified step no body
+    /// makes half a turn.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();
@@ -149,8 +153,8 @@ impl<'a> Continuation<'a> {
         let longest = longest_step(self.mechanism);
         let mut width = longest;
         let mut successes = STEPS_BEFORE_LONGER;
-        // The search for a singular pose of a group is expensive: it begins at short steps, and is repeated at shorter
-        // ones.
+        // The search for a singular pose of a group is expensive: it is made only if a step shorter than this fails,
+        // and again only if a still shorter one fails.
         let short = tolerance::NEGLIGIBLE * self.mechanism.span();
         let mut searched_at = short;
         while (target - self.input) * sense > 0.0 {
@@ -174,8 +178,8 @@ impl<'a> Continuation<'a> {
                 if tried >= short {
                     searched_at = short;
                 }
-                // After a failed step of a dyad, a longer one would soon fail again. A group gives the length that it
-                // can certify.
+                // After a failed step of a dyad, longer steps wait for several successes, because they would soon fail
+                // again. A group need not wait: the enclosure gives the length that can be certified.
                 successes += 1;
                 if successes >= STEPS_BEFORE_LONGER {
                     let longer = (STEP_SAFETY * self.enclosure.ease()).min(2.0) * tried;

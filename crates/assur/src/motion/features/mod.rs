@@ -49,7 +49,8 @@ pub struct TooManyTurns {
 
 impl Motion {
     /// Zeros and extrema of quantities and of their first two derivatives with respect to time, by [`features`].
-    /// Quantities that are multiples of one another are searched once. Jumps of folded angles do not count.
+    /// Quantities that are multiples of one another are searched once. Kinks of folded angles do not count as
+    /// extrema, nor jumps of their rates as zeros.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.
@@ -131,8 +132,8 @@ impl Motion {
         part.max(1e-3 * self.mechanism().size())
     }
 
-    /// Features of a folded angle from those of the unfolded angle. Folding may swap maxima and minima; no zeros
-    /// remain.
+    /// Features of a folded angle and of its two derivatives, from those of the unfolded angle. Folding may swap maxima
+    /// and minima. Zeros of the angle itself are dropped: the folded angle has a kink there.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let with_sense = |extremum: Extremum| {
             let pose = self.pose::<3>(extremum.input);
@@ -290,13 +291,13 @@ enum Variation {
 #[derive(Clone, Copy)]
 struct Tolerance {
     absolute: f64,
-    /// Tolerance relative to the largest value of the function.
+    /// Tolerance as a fraction of the function's largest absolute value.
     relative: f64,
 }
 
 impl Tolerance {
-    /// Tolerance of a quantity (order 0) or of its derivative, for a scale of the quantity. The rounding error of a
-    /// point grows with its distance from the origin, but the absolute tolerance does not.
+    /// Tolerance of a quantity (order 0) or of its derivative, for a scale of the quantity. The relative tolerance is
+    /// needed because the rounding error of a point grows with its distance from the origin.
     fn of(order: usize, scale: f64) -> Self {
         Self {
             absolute: tolerance::COINCIDENT * scale,

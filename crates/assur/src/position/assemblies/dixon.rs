@@ -3,7 +3,8 @@
 //! For m complex unknowns there are 2m directions vₖ of length 1. They satisfy m linear equations, the loops Σ cₖ vₖ +
 //! c₀ = 0; the reciprocals 1/vₖ satisfy the conjugate equations. One direction, v₁ = λ, is hidden: it counts as a
 //! constant. For each set U of m other directions, one combination of the loops contains only directions of U, with
-//! coefficients aₖ. So does the conjugate combination. With the complement V of U, of m − 1 directions, they give:
+//! coefficients aₖ, besides the terms a₀ and λ a₁. So does the conjugate combination. With the complement V of U
+//! (m − 1 directions) they give:
 //!
 //! > (a₀ + λ a₁) X_U + Σ_{k ∈ U} aₖ Y_{U∖k} = 0,
 //! > (ā₁ + λ ā₀) Y_V + λ Σ_{k ∈ U} āₖ X_{V∪k} = 0,
@@ -29,7 +30,8 @@ use nalgebra::{DMatrix, DVector, Schur};
 use super::bilinear::{Affine, Bilinear, C, ONE, System, ZERO};
 use crate::tolerance;
 
-/// Angle, in radians, between the numbers ρ of successive hidden directions. No root has infinite t for every ρ.
+/// Angle between the numbers ρ of successive hidden directions, radians. A root whose t is infinite for one ρ has a
+/// finite t for another.
 const RHO_STEP: f64 = 2.15;
 /// Maximum number of QR iterations per row.
 const MAX_QR_ITERATIONS: usize = 60;
@@ -230,7 +232,8 @@ impl Pencil {
         })
     }
 
-    /// Values of λ, one of each conjugate pair, each with the numbers p and q of all sets.
+    /// Values of λ, one of each conjugate pair, each with the numbers p and q of all sets. None if R₁ is singular or
+    /// the eigenvalues do not converge.
     fn roots(&self) -> Option<Vec<(C, Vec<C>)>> {
         let size = self.kept.len();
         let matrix = self.linear.clone().lu().solve(&-&self.constant)?;

@@ -121,7 +121,7 @@ impl Group {
             )?;
         }
         for one in (0..pairs.len()).filter(|k| pairs[*k].is_none()) {
-            // With the mean m and the half difference i d of a conjugate pair, z = m + i d and w = m̄ + i d̄.
+            // A conjugate pair with the mean m and the half difference i d is stored as z = m + i d and w = m̄ + i d̄.
             let both = |all: &Solutions| {
                 let at = &all.complex_pairs[2 * one * last.size..][..2 * last.size];
                 let (z, w) = at.split_at(last.size);
@@ -177,7 +177,8 @@ impl Group {
         Some(())
     }
 
-    /// Refines a real assembly by Newton's method, in place, with unknowns in their units. None if the method diverges.
+    /// Refines a real assembly in place by Newton's method. `at` holds the unknowns as multiples of their units. None
+    /// if the method diverges.
     fn polish_real<const N: usize>(
         &self,
         at: &mut [C],

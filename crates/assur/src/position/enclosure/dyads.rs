@@ -11,9 +11,10 @@ use crate::position::{Arm, Predictor, Track, product};
 const LARGE_TURN: f64 = 0.5;
 
 impl Enclosure {
-    /// Encloses two links that are hinged to each other and to solved points; false if the links may come into line.
+    /// Encloses two links, hinged to each other at C and to the solved points B and D. Returns false if the links may
+    /// come into line.
     ///
-    /// Let X be the vector from B to the joint C, d the vector from B to D, and e₂, e₃ unit vectors along the links.
+    /// Let X be the vector from B to C, d the vector from B to D, and e₂, e₃ unit vectors along the links.
     /// Then e₂·X″ = −v₂²/l₂ and e₃·X″ = e₃·d″ − v₃²/l₃, with the speeds v₂, v₃ of C relative to B and D. So |X″| is at
     /// most the sum of the absolute values of the right sides, divided by the sine of the angle between the links.
     pub(crate) fn enclose_arms(&mut self, from: &Predictor, arms: &[Arm; 2]) -> bool {

@@ -1,4 +1,5 @@
-//! Two positions: the linkages through both are the points of a line in the plane (1/z₂, 1/z₃).
+//! Two positions: the linkages through both are the points of a line in the plane (1/z₂, 1/z₃). z₁, z₂ and z₃ are the
+//! lengths of coupler, output and input, each divided by the length of the frame.
 
 use crate::sorting::sort_by;
 use std::f64::consts::FRAC_PI_2;
@@ -121,7 +122,7 @@ pub struct Change {
 pub enum ChangeKind {
     /// The Grashof type changes: all links can lie in one line.
     Grashof,
-    /// Coupler and output are in line at this position (from 0), whose assembly changes at this member.
+    /// The assembly of this position (counted from 0) changes: coupler and output are in line there.
     DeadPoint(usize),
 }
 

@@ -14,7 +14,7 @@ const GRID: usize = 8;
 const CHOICES: usize = 20;
 /// Numbers of grid points along each length and along each angle, if the starting angles are free.
 const COARSE: [usize; 2] = [3, 8];
-/// Number of points of this grid from which the search starts: those with the least ΣJ.
+/// Number of points of the [`COARSE`] grid from which the search starts: those with the least ΣJ.
 const LOWEST: usize = 32;
 
 /// Starting points if the starting angles are given.

@@ -4,10 +4,11 @@ use super::{Angles, Subsystem, System, Unknown, functional, opening, sine, third
 use crate::relation::Relation;
 
 /// Evaluates the relations of the paper at each position, in the paper's order, with the number of the position in the
-/// names. (1), J with its derivatives, and the gap are evaluated for the trial lengths `z`: z₁, z₂, z₃. All other
-/// formulas are evaluated for lengths that close the loop: z₁, and the z₂ and z₃ that follow from it. If (13) fails,
-/// these formulas are left out. `length` is l₀. For each position, `best` lists the coupler's angle with the least
-/// residual, and this residual in lengths of the frame. Positions with an angle that is not finite have no relations.
+/// names. Equation (1), J with its derivatives, and the gap are evaluated for the trial lengths `z`: z₁, z₂, z₃. All
+/// other formulas are evaluated for lengths that close the loop: z₁, and the z₂ and z₃ that follow from it. If
+/// condition (13) fails, these formulas are left out. `length` is l₀. For each position, `best` lists the coupler's
+/// angle with the least residual, and this residual in lengths of the frame. Positions with an angle that is not finite
+/// have no relations.
 pub fn relations(
     positions: &[Angles],
     z: [f64; 3],
@@ -98,12 +99,12 @@ impl<'a> Collected<'a> {
             .push(Relation::angle(item, self.name(name), value, value));
     }
 
-    /// eᵢ·eⱼ, where the index is 0 for the frame, 1 for the coupler, 2 for the output and 3 for the input.
+    /// Scalar product eᵢ·eⱼ of the directions of two links: 0 the frame, 1 the coupler, 2 the output, 3 the input.
     fn dot(&self, i: usize, j: usize) -> f64 {
         (self.turn(i) - self.turn(j)).cos()
     }
 
-    /// sin(φᵢ − φⱼ).
+    /// sin(φᵢ − φⱼ) of the angles of two links, with indices as in [`Self::dot`].
     fn sin(&self, i: usize, j: usize) -> f64 {
         sine(self.turn(i) - self.turn(j))
     }
