@@ -508,15 +508,15 @@ image: string,
  */
 at: [number, number], 
 /**
- * Its width, in the unit of lengths.
+ * Width of the picture, in the unit of lengths.
  */
 width: number, 
 /**
- * Direction of its upper edge, degrees.
+ * Direction of the picture's upper edge, degrees.
  */
 turn_deg: number, 
 /**
- * Its opacity, up to 1.
+ * Opacity of the picture, up to 1.
  */
 opacity: number, };
 export type PlaceDocument = [number, number] | [number, number, number];

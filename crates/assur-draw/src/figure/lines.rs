@@ -211,7 +211,7 @@ impl Drawn {
         }
     }
 
-    /// Draws the line through instant centres. It ends a little beyond them, or far away if one is at infinity.
+    /// Draws the line through instant centres. It ends a little beyond them, or far away if a centre is at infinity.
     fn line(&self, list: &mut List, through: impl Iterator<Item = Centre>, unit: f64) {
         let mut places = Vec::new();
         let mut way = None;

@@ -73,7 +73,7 @@ pub enum MeetingKind {
 }
 
 impl MeetingKind {
-    /// Name in machine-readable output.
+    /// Name of the kind in machine-readable output.
     pub fn code(self) -> &'static str {
         match self {
             Self::Fold => "fold",

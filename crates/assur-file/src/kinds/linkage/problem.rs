@@ -88,9 +88,9 @@ pub enum LinkageProblem {
         links: Vec<String>,
         last: f64,
     },
-    /// A requirement for a dwell whose value is not greater than zero or, for the arc, exceeds a turn.
+    /// A band, arc or stroke required of a dwell that is not greater than zero, or an arc that exceeds a turn.
     BadWish { field: Field },
-    /// The mechanism has no such output.
+    /// A search for a dwell of an output that the mechanism does not have.
     NoOutput,
     /// A search in which no dimension may change.
     NothingMoves,
