@@ -83,8 +83,8 @@ impl Differential {
         self.equations.stiffness(mesh).sqrt()
     }
 
-    /// Speeds of all bodies, rad/s, in the order of [`Body::ALL`], at which no mesh slips. They follow from the speeds of
-    /// sun and ring by Willis's equation.
+    /// Speeds of all bodies, rad/s, in the order of [`Body::ALL`], at which no mesh slips. They follow from the speeds
+    /// of sun and ring by Willis's equation.
     pub fn synchronous(&self, sun: f64, ring: f64) -> [f64; 4] {
         let equations = &self.equations;
         let [p1, p4] = Mesh::ALL.map(|mesh| equations.mesh(mesh).wheel_periods);

@@ -1,8 +1,8 @@
 //! The signed root of a dyad around a change point, by Hermite interpolation.
 //!
-//! The closed form of a dyad takes the root of a quantity called the square here. At a change point the square touches
-//! zero, and near this point its root loses digits. In the smooth motion the root changes sign; a polynomial that
-//! matches the root's derivatives at three nodes has all digits.
+//! The closed form of a dyad takes the square root of a quantity, called the square here. At a change point the
+//! square touches zero, and near this point its root loses digits. In the smooth motion the root changes sign; a
+//! polynomial that matches the root's derivatives at three nodes has all digits.
 
 use crate::Jet;
 use crate::index::StepId;

@@ -88,7 +88,7 @@ pub enum LinkageProblem {
         links: Vec<String>,
         last: f64,
     },
-    /// A band, arc or stroke required of a dwell that is not greater than zero, or an arc that exceeds a turn.
+    /// A required band, arc or stroke of a dwell is not greater than zero, or the required arc exceeds a turn.
     BadWish { field: Field },
     /// A search for a dwell of an output that the mechanism does not have.
     NoOutput,

@@ -199,8 +199,8 @@ impl Group {
         self.equations.len() > 2 * self.unknowns
     }
 
-    /// Solves the group from a nearby pose. Sets the step's margins, here the Jacobian's determinant divided by a
-    /// power of two, and the exponent of this power. Also sets `state.corrections`.
+    /// Solves the group from a nearby pose. Sets the two margins of the step: the Jacobian's determinant divided by
+    /// a power of two, and the exponent of this power. Also sets `state.corrections`.
     #[inline(never)]
     fn solve_near<const N: usize>(
         &self,

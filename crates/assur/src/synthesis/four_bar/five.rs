@@ -7,9 +7,9 @@
 //! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃.
 //!
 //! This equation is linear and homogeneous in seven real numbers: s and the real and imaginary parts of w₂, w₃ and m.
-//! Five positions leave a plane of solutions λX + μY. Let X₂, X₃ and Xₘ be the components of X for w₂, w₃ and m, and
-//! let t = μ/λ. Then m = w₂ w̄₃ reads Xₘ + tYₘ = λ(X₂ + tY₂)(X₃ + tY₃)̄. As λ is real, Xₘ + tYₘ and the
-//! product have a real ratio, which makes t a root of a cubic.
+//! Five positions leave a plane of solutions λX + μY. Let X₂, X₃ and Xₘ be the components of X for w₂, w₃ and m, let
+//! Y₂, Y₃ and Yₘ be those of Y, and let t = μ/λ. Then m = w₂ w̄₃ reads Xₘ + tYₘ = λ(X₂ + tY₂)(X₃ + tY₃)̄. As λ is
+//! real, Xₘ + tYₘ and the product have a real ratio, which makes t a root of a cubic.
 
 use crate::sorting::sort_by;
 use crate::tolerance;

@@ -86,7 +86,7 @@ impl System {
         value.max(0.0)
     }
 
-    /// z₁, z₂, z₃ of the unique minimum over all real numbers; none if the rank is below three, as there are then many.
+    /// z₁, z₂, z₃ of the unique minimum over all real numbers. None if the rank is below three: many minima exist.
     pub fn minimum(&self) -> Option<[f64; 3]> {
         (self.rank == 3)
             .then(|| solve(self.matrix, self.right))
