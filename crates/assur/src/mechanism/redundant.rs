@@ -200,7 +200,8 @@ impl Layout {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
-    /// The drawn configuration of a layout with redundant constraints, and the start of its motion.
+    /// Completes the layout of a linkage with redundant constraints. Returns its drawn configuration and the start of
+    /// its motion.
     ///
     /// # Errors
     /// The defects of the constraints if they are not redundant.
