@@ -224,20 +224,20 @@ pub(crate) fn at(turns: bool, input: f64) -> String {
     }
 }
 
-/// A scheme of links and pairs, with the cuts given by its document.
+/// A scheme of links and pairs, with the cuts of pairs that its document gives; a linkage gives none.
 pub(crate) struct Schemed {
     pub(crate) scheme: Scheme,
     pub(crate) cuts: Vec<Cut>,
 }
 
 /// Reads the named scheme, or the scheme of the named linkage as drawn, movable or not. The reasons why a linkage does
-/// not move go to standard error, except a lack of drivers, which does not affect the count.
+/// not move go to standard error, except a lack of drivers, which does not affect the mobility.
 ///
 /// # Errors
 /// An unknown name or file; every reason why the document is not a scheme.
 pub(crate) fn schemed(name: &Name) -> Result<Schemed, Failure> {
     let refuse = |problems: Vec<Problem>| refused(name, &problems);
-    // Read only once: a pipe cannot be read again.
+    // The document is read only once, because a pipe cannot be read again.
     let whole = any(name)?;
     if let Document::Scheme(document) = whole {
         let scheme = document.scheme().map_err(refuse)?;

@@ -88,7 +88,7 @@ pub struct Series {
 /// Settings of a plot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// The input rate, which defines the derivatives.
+    /// Speed and acceleration of the input, which turn analogues into derivatives with respect to time.
     pub input: InputRate,
     /// Whether derivatives are with respect to time, at the input rate of a machine, instead of to the input.
     pub physical: bool,

@@ -93,7 +93,7 @@ pub struct Figure {
     lines: lines::Drawn,
     numbers: Vec<Number>,
     given: Given,
-    /// Numbers of wheels: the link, the tag, and the index of the text among the names.
+    /// Wheel numbers, each with the wheel's link, the tag, and the index of the tag's text among the names.
     tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
     /// The symbol unit, a hundredth of the drawing's size.

@@ -17,7 +17,8 @@ impl Projection {
         Self::from([Vector3::x(), Vector3::y()])
     }
 
-    /// Returns a view with z upwards, along y turned about z through `round`, from the elevation `above`, in radians.
+    /// Returns a view with z upwards. The viewer looks along the y-axis rotated about z through the angle `round`, from
+    /// the elevation `above`; both angles are in radians.
     pub(crate) fn space([round, above]: [f64; 2]) -> Self {
         let ([sin, cos], [high, level]) = ([round.sin(), round.cos()], [above.sin(), above.cos()]);
         let away = Vector3::new(-sin, cos, 0.0);
@@ -40,7 +41,7 @@ impl Projection {
         assur::Vector::new(along.dot(&self.right), along.dot(&self.up))
     }
 
-    /// Returns the coordinate of a point towards the viewer.
+    /// Returns the coordinate of a point along the axis that points towards the viewer.
     pub(crate) fn nearness(&self, at: Point3) -> f64 {
         at.coords.dot(&self.near)
     }

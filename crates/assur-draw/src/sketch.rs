@@ -8,7 +8,7 @@ use assur::{Point, Vector};
 use crate::list::{IN_TURN, List, Look, Role};
 use crate::parts::{self, BAR, BLOCK};
 
-/// Half the width of a ring's rim that can be picked, relative to the ring's radius.
+/// Half the width of the band along a ring's rim in which the ring can be picked, relative to the ring's radius.
 const RIM: f64 = 0.05;
 /// Rectangle of an empty drawing: left, bottom, right, top, in the unit of lengths.
 const SHEET: [f64; 4] = [-6.0, -4.0, 6.0, 4.0];

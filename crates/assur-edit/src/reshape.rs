@@ -56,8 +56,8 @@ impl Drawing {
         Ok(moved)
     }
 
-    /// Moves points to their targets, as far as locks allow; points locked to them follow. A link takes its dimensions
-    /// from the drawing if its displacement is not the same at all its points. The lock `released` is ignored.
+    /// Moves points to their targets, as far as locks allow; points locked to them follow. A link whose points
+    /// do not all have the same displacement takes its dimensions from the drawing. The lock `released` is ignored.
     fn go(&mut self, wanted: &BTreeMap<String, Vector>, released: Option<&[String]>) {
         let (places, reached) = self.held(wanted, released);
         self.is_held |= !reached;

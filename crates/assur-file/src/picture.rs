@@ -32,12 +32,12 @@ pub struct PictureDocument {
     pub image: String,
     /// Position of the picture's upper left corner.
     pub at: [f64; 2],
-    /// Its width, in the unit of lengths.
+    /// Width of the picture, in the unit of lengths.
     pub width: f64,
-    /// Direction of its upper edge, degrees.
+    /// Direction of the picture's upper edge, degrees.
     #[serde(default)]
     pub turn_deg: f64,
-    /// Its opacity, up to 1.
+    /// Opacity of the picture, up to 1.
     #[serde(default = "half")]
     pub opacity: f64,
 }

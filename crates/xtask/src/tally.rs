@@ -14,7 +14,7 @@ struct Entry {
     name: String,
     passed: u32,
     failed: u32,
-    /// Error of a failed step, which the counts do not show.
+    /// Error of the step if it failed; none if it passed.
     reason: Option<String>,
     took: Duration,
 }

@@ -12,9 +12,9 @@ use serde_json::{Map, Value, json};
 use super::words;
 use crate::words::class;
 
-/// Report on a task.
+/// Report on a synthesis task.
 pub(super) struct Report {
-    /// Kind of result.
+    /// Kind of result, such as `family`; `none` if there is no linkage.
     pub(super) kind: &'static str,
     /// Sentences that appear in the text only.
     pub(super) notes: Vec<String>,
@@ -182,7 +182,7 @@ pub(super) fn one(report: &mut Report, task: &Task) {
         output: 1.0,
         input: 1.0,
     };
-    // Length of the coupler that closes the loop of `equal`. The residual is this length less 1.
+    // Coupler length that closes the loop. With a coupler of length 1 the residual is this length less 1.
     let gap = Solution::new(task, equal).closures[0].residual + 1.0;
     let closed = Proportions {
         coupler: gap,
@@ -194,8 +194,8 @@ pub(super) fn one(report: &mut Report, task: &Task) {
 }
 
 /// Evaluates the paper's conditions and theorems at each position: whether each holds as printed, and whether its
-/// conclusion is true. Adds the ranges of l₁ and, if lengths are given, their gap at each position. `couplers` are the
-/// coupler angles φ₁, radians.
+/// conclusion is true. Each position also lists ranges of l₁ and, if `lengths` are given, the gap of the loop.
+/// `couplers` are the coupler angles φ₁, radians.
 pub(super) fn printed(task: &Task, couplers: &[f64], lengths: Option<Proportions>) -> Value {
     let frame = task.frame();
     let told = task

@@ -40,10 +40,11 @@ pub(super) struct Drawn {
     lines: Lines,
     /// Link whose centre, centrodes and inflection circle are drawn.
     link: Option<LinkId>,
-    /// Names of the centres of two bodies; the index is that of the first body times `bodies`, plus that of the second.
+    /// Text index of the centre's name for each pair of bodies; none for a centre without a name. Bodies i < j have the
+    /// entry i · `bodies` + j.
     names: Vec<Option<usize>>,
     bodies: usize,
-    /// Names of the pole, the inflection pole and a centre of curvature.
+    /// Text indices of the names of the pole, the inflection pole and a centre of curvature.
     symbols: [usize; 3],
     traced: Vec<PointId>,
     middle: Point,
@@ -211,7 +212,7 @@ impl Drawn {
         }
     }
 
-    /// Draws the line through instant centres. It ends a little beyond them, or far away if one is at infinity.
+    /// Draws the line through instant centres. It ends a little beyond them, or far away if a centre is at infinity.
     fn line(&self, list: &mut List, through: impl Iterator<Item = Centre>, unit: f64) {
         let mut places = Vec::new();
         let mut way = None;

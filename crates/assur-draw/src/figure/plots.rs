@@ -14,7 +14,8 @@ use crate::list::Role;
 /// Transmission angle above which values determine the ranges of axes. At smaller angles a dead point, where the links
 /// of a dyad are in line, is near, and derivatives grow without bound.
 const CLEAR: f64 = 15.0 * PI / 180.0;
-/// Share of an arc, beside a dead point at which no dyad is in line, that does not affect the ranges of axes.
+/// Share of an arc of the motion, next to a dead point, in which values do not affect the ranges of axes. It is used if
+/// no dyad is in line at the dead point.
 const CLEAR_SHARE: f64 = 0.04;
 
 /// Colours for further coordinates or distances of the same kind, such as `C.x` after `B.x`.
@@ -54,7 +55,7 @@ fn axis(mechanism: &Mechanism, column: Option<Column>) -> Axis {
 enum Clear {
     /// The transmission angle of this dyad.
     Dyad(RrrDyad),
-    /// The distance from this input, which must exceed `least`.
+    /// The distance of the input from the dead point's `input`; this distance must exceed `least`.
     Way { input: f64, least: f64 },
 }
 
@@ -62,7 +63,7 @@ impl Figure {
     /// Makes the chart of quantities of one kind over the motion, with the input rate of `settings`.
     pub fn chart(&self, quantities: &[Quantity], settings: Settings) -> Chart {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        // Features are not searched for over too many turns.
+        // If the motion has too many turns to be searched, no features are shown.
         let mut found = (motion.features(quantities, settings.input).ok()).map(Vec::into_iter);
         let series = quantities.iter().zip(self.plotted_roles(quantities));
         let series = series.map(|(quantity, role)| Series {
@@ -102,7 +103,7 @@ impl Figure {
         Against::new(axes, role, &runs, motion.cycle().is_full(), settings)
     }
 
-    /// Returns the values of quantities at an input, if its pose has derivatives.
+    /// Returns the values of quantities at an input; none if the pose there has no derivatives.
     fn sample(
         &self,
         input: f64,

@@ -1,4 +1,4 @@
-//! The first form, one joint, link or force per line:
+//! The first form of PMKS+ URLs, with one joint, link or force per line:
 //! `?j=A,-3.74,-2.41,AB,R,t,0,0.1,t,%0A…&l=AB,1,1,…,A|B,,…&f=…&s=10,false,false,cm`. Later versions add a link's kind,
 //! R or P, and omit a joint's friction.
 

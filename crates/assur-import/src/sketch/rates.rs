@@ -9,7 +9,8 @@ const MAX_TURNS: u32 = 24;
 /// Speed, as a fraction of the fastest driver's, below which a driver counts as at rest.
 const STILL: f64 = 1e-9;
 
-/// Reorders the drivers so that the first one moves, and finds the rate of each further driver.
+/// Reorders the drivers so that the first one moves, and pairs each driver with its rate. None stands for the rate 1;
+/// if all drivers are at rest, every rate is none.
 pub(super) fn of(
     mut drivers: Vec<Driver>,
     left_out: &mut Vec<LeftOut>,
@@ -34,7 +35,8 @@ pub(super) fn of(
         let offs = cranks().map(|rate| (near(rate, turns) - rate).abs());
         offs.fold(0.0, f64::max)
     };
-    // `least` is the error of the best approximation, `round` the smallest number of turns that attains it.
+    // Rates of cranks are rounded to fractions; their denominator is a number of turns of the first crank. `least` is
+    // the least rounding error, `round` the smallest denominator that attains it.
     let least = (1..=MAX_TURNS).map(off).fold(f64::INFINITY, f64::min);
     let round = (1..=MAX_TURNS)
         .find(|turns| off(*turns) <= least + 1e-12)

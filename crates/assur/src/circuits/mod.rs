@@ -73,7 +73,7 @@ pub enum MeetingKind {
 }
 
 impl MeetingKind {
-    /// Name in machine-readable output.
+    /// Name of the kind in machine-readable output.
     pub fn code(self) -> &'static str {
         match self {
             Self::Fold => "fold",
@@ -157,7 +157,7 @@ impl Circuits {
     }
 
     /// True if all branches were found and each was followed to its ends. At every sampled input the numbers of
-    /// assemblies and of branches then agree, and between the samples no pair of complex assemblies can become real.
+    /// assemblies and of branches then agree, and between the samples no pair of complex solutions can become real.
     ///
     /// False if a group contains wheels in mesh, if a motion comes too close to a singular pose or is too long to
     /// follow, or if a limit of work is reached. A branch shorter than a millionth of a turn may be missed.

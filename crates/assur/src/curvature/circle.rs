@@ -8,7 +8,7 @@ use crate::{Jet, JetPoint, Point};
 pub struct CircleOfCurvature {
     /// The centre of curvature.
     pub centre: Point,
-    /// R = 1/|κ| with two derivatives with respect to the input.
+    /// Radius R = 1/|κ|, where κ is the curvature of the path, with two derivatives with respect to the input.
     pub radius: Jet<3>,
 }
 
@@ -22,7 +22,7 @@ pub enum NoCircle {
 }
 
 impl CircleOfCurvature {
-    /// Finds the circle for a point with four derivatives, in a drawing of this size.
+    /// Finds the circle for a point with four derivatives, in a drawing of the size `size`.
     ///
     /// # Errors
     /// The reason why the circle does not exist.

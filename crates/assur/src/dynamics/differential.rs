@@ -59,7 +59,7 @@ impl Differential {
     /// pull-out torque of a run can be compared with this limit.
     ///
     /// Let E be the amplitude of the energy of a mesh's field, and δ its phase. The torque on a wheel, divided by its
-    /// number of periods, is E sin δ. If the satellites bear no load, this is the same in both meshes: the smaller E
+    /// number of periods, is E sin δ. If the satellites bear no load, E sin δ is the same in both meshes: the smaller E
     /// sets the limit. The torques on sun, ring and carrier are in the ratio p₁ : p₄ : −(p₁ + p₄).
     pub fn static_limit(&self, body: Body) -> f64 {
         let [sun, ring] = Mesh::ALL.map(|mesh| self.equations.mesh(mesh));
@@ -76,13 +76,15 @@ impl Differential {
         }
     }
 
-    /// Natural frequency of the phase Σ nᵢφᵢ of one mesh without the other mesh, rad/s: the square root of E Σ nᵢ²/Jᵢ
-    /// over the bodies free to move, with E the amplitude of the field's energy and Jᵢ the moments of inertia.
+    /// Natural frequency of the phase δ = Σ nᵢφᵢ of one mesh without the other mesh, rad/s. It is the square root of
+    /// E Σ nᵢ²/Jᵢ over the bodies free to move. E is the amplitude of the field's energy; body i has the angle φᵢ, the
+    /// coefficient nᵢ in the phase and the moment of inertia Jᵢ.
     pub fn swing_rate(&self, mesh: Mesh) -> f64 {
         self.equations.stiffness(mesh).sqrt()
     }
 
-    /// Speeds of all bodies, rad/s, in the order of [`Body::ALL`], at which no mesh slips, by Willis's equation.
+    /// Speeds of all bodies, rad/s, in the order of [`Body::ALL`], at which no mesh slips. They follow from the speeds
+    /// of sun and ring by Willis's equation.
     pub fn synchronous(&self, sun: f64, ring: f64) -> [f64; 4] {
         let equations = &self.equations;
         let [p1, p4] = Mesh::ALL.map(|mesh| equations.mesh(mesh).wheel_periods);

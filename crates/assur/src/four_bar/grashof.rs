@@ -16,7 +16,7 @@ pub enum Grashof {
     DoubleRocker,
     /// s + l > p + q: no link turns fully.
     TripleRocker,
-    /// s + l = p + q: all links can lie in one line, and there the two motions cross.
+    /// s + l = p + q: all links can lie in one line; in this pose two branches of the motion cross.
     ChangePoint,
 }
 

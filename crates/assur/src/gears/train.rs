@@ -223,7 +223,7 @@ impl Train {
 
     /// The equation of the three shafts.
     pub fn differential(&self) -> Differential {
-        // For a single-wheel satellite (z₂ = z₂′) the weights are z₁ and z₄.
+        // The weights of sun and ring are in the ratio z₁ z₂′ : z₄ z₂; for a single-wheel satellite they are z₁ and z₄.
         let common = num_integer::gcd(self.satellite, self.step);
         Differential::of(
             self.sun * (self.step / common),

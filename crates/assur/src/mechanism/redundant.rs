@@ -24,7 +24,8 @@ use crate::mechanism::{
 use crate::position::{Arm, BodyPoint, Cause, Predictor, Step};
 use crate::structure::{self, Structure, with_passive_links};
 
-/// Offsets of the inputs, on both sides of the drawn input, at which the constraints are checked; radians of a crank.
+/// Offsets, on both sides of the drawn input, at which the constraints are checked: radians for a crank, multiples of
+/// range/2π for a slide.
 const BESIDE: [f64; 9] = [1e-3, 7e-3, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3];
 
 /// Mobility by count and by rank.
@@ -199,7 +200,8 @@ impl Layout {
         matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
     }
 
-    /// The drawn configuration of a layout with redundant constraints, and the start of its motion.
+    /// Completes the layout of a linkage with redundant constraints. Returns its drawn configuration and the start of
+    /// its motion.
     ///
     /// # Errors
     /// The defects of the constraints if they are not redundant.

@@ -62,7 +62,8 @@ impl Displaced {
         let [a, b] = [first.carries(drawn), second.carries(drawn)];
         let across = b.place - a.place;
         let opening = |direction: usize| a.frame[direction].dot(&across);
-        // Component, about each direction of the frame, of the rotation from the first axis to the second.
+        // `leaning` is the component, about a direction of `a.frame`, of the rotation that takes the axis of the first
+        // link to the axis of the second.
         let axes = a.frame[0].cross(&b.frame[0]);
         let leaning = |direction: usize| a.frame[direction].dot(&axes);
         let twisted = a.frame[0].dot(&a.frame[1].cross(&b.frame[1]));

@@ -52,8 +52,9 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// Smooth root interpolated from the square at a change point and at the distance `reach` on both sides. Returns
-    /// the error of the root's square at half this distance, then the root.
+    /// Smooth root interpolated from the quantity under the square root, given as `square` at the change point and
+    /// computed at the distance `reach` on both sides. Returns the error of the squared root at half this distance,
+    /// then the root.
     fn interpolated(
         &self,
         step: StepId,

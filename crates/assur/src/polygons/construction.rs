@@ -67,7 +67,8 @@ fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     })
 }
 
-/// Equations of a step; none for a group that is not a dyad, or for a body without other points.
+/// Equations of a step; none for a group that is neither a dyad nor an epicyclic train, or for a rotating body without
+/// points other than its hinge.
 pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
         Step::Epicyclic(geared) => {

@@ -84,8 +84,8 @@ impl<const N: usize> Complex<N> {
         self.scaled(self.norm_squared().sqrt().recip())
     }
 
-    /// Vector of constant length, from its value and, in all orders, its scalar product with another vector. Closed
-    /// forms would lose digits of the derivatives if the other vector is short; these conditions lose none.
+    /// Vector of constant length with this value, whose scalar product with another vector is given in all orders. If
+    /// the other vector is short, derivatives of a closed form would lose digits; those computed here lose none.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = crate::perpendicular(along);

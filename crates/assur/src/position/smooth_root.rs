@@ -1,7 +1,8 @@
 //! The signed root of a dyad around a change point, by Hermite interpolation.
 //!
-//! At a change point the square under the closed form's root touches zero, so nearby the root has few digits. In the
-//! smooth motion the root changes sign; a polynomial that matches the root's derivatives at three nodes has all digits.
+//! The closed form of a dyad takes the square root of a quantity, called the square here. At a change point the
+//! square touches zero, and near this point its root loses digits. In the smooth motion the root changes sign; a
+//! polynomial that matches the root's derivatives at three nodes has all digits.
 
 use crate::Jet;
 use crate::index::StepId;
@@ -27,7 +28,7 @@ pub(crate) struct SmoothRoot {
 }
 
 impl SmoothRoot {
-    /// Taylor series at the change point, for inputs close to it.
+    /// Taylor series of the root at the change point, from the square `at` this point; for inputs close to it.
     pub(crate) fn beside(
         (step, sign): (StepId, f64),
         [input, radius]: [f64; 2],
@@ -116,8 +117,8 @@ fn root_over_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN_AT_CHANGE> {
     Jet::from_coefficients(rest).sqrt()
 }
 
-/// Nodes in u, each repeated once for every coefficient known at it. The change point is first: near it the differences
-/// with the other nodes have little weight.
+/// Nodes in u, each repeated once for every coefficient known at it. The change point is first: in Newton's polynomial
+/// the terms of the other nodes then have the factor u⁴, which is small near it.
 fn node(k: usize) -> f64 {
     if k < KNOWN_AT_CHANGE {
         0.0

@@ -88,9 +88,9 @@ pub enum LinkageProblem {
         links: Vec<String>,
         last: f64,
     },
-    /// A requirement for a dwell whose value is not greater than zero or, for the arc, exceeds a turn.
+    /// A required band, arc or stroke of a dwell is not greater than zero, or the required arc exceeds a turn.
     BadWish { field: Field },
-    /// The mechanism has no such output.
+    /// A search for a dwell of an output that the mechanism does not have.
     NoOutput,
     /// A search in which no dimension may change.
     NothingMoves,

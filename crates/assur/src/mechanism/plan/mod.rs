@@ -37,7 +37,7 @@ pub(in crate::mechanism) struct Plan {
     pub(in crate::mechanism) orientations: List<BodyId, Orientation>,
 }
 
-/// A drawn pose with known whole turns of its bodies.
+/// The drawn pose. The angles of its bodies include whole turns.
 #[derive(Clone, Copy)]
 pub(in crate::mechanism) struct Drawn<'a> {
     pub(in crate::mechanism) input: f64,
@@ -183,7 +183,7 @@ enum Inner<'a> {
 }
 
 impl Placed<'_> {
-    /// Step of a group that is a dyad, if the bodies to which it is joined are solved. None if no closed form is known.
+    /// Closed-form step of a dyad joined to solved bodies. None for other groups and if no closed form is known.
     fn closed_form(&self, group: &[BodyId]) -> Option<Step> {
         match *group {
             [i, j] if self.couplings(group).is_empty() => self.dyad([i, j]),

@@ -93,7 +93,7 @@ impl Continuation<'_> {
     }
 
     /// Dead point just ahead at which the two guides of a step become parallel; poses beyond it are on another branch.
-    /// The margin here is the squared sine of the angle between the guides.
+    /// The first margin of such a step ([`State::margins`]) is the squared sine of the angle between the guides.
     fn parallel(&self, step: StepId, sense: f64) -> Option<DeadPoint> {
         let crosses = matches!(self.mechanism.steps()[step], Step::Prp(_) | Step::Rpp(_));
         let margin = self.here.margins[step][0];

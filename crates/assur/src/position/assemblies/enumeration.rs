@@ -6,9 +6,11 @@ use super::solutions::{REAL, Solutions, conjugate, distance, distance_to_conjuga
 use super::{ComplexPair, Method, dixon, homotopy};
 use crate::tolerance;
 
-/// Maximum number of random sets of paths. Each set leads to all solutions, so the next set finds one that a set loses.
+/// Maximum number of random sets of homotopy paths. In exact arithmetic one set leads to all solutions; a solution lost
+/// in one set is found by another.
 const MAX_PATH_SETS: u64 = 6;
-/// Number of hidden directions that must give the same solutions, if their number for general dimensions is unknown.
+/// Number of hidden directions that must give the same solutions. It applies if the number of solutions for general
+/// dimensions is unknown.
 const AGREEING_DIRECTIONS: usize = 2;
 
 impl System {

@@ -41,10 +41,10 @@ pub(crate) enum KnownTerm {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BodyForms {
     pub(crate) body: BodyId,
-    /// Indices of the forms for the origin and for the turn of the body.
+    /// Indices of two forms: the position of the body's origin, and the body's rotation e^(iθ).
     pub(crate) forms: [usize; 2],
-    /// The first of two close points that determine the turn e^(iθ) of the body, in local coordinates. Rounding makes
-    /// the length of this turn differ from 1; it is normalized with the point held in place.
+    /// The first of two close points from which e^(iθ) is computed, in local coordinates; None if no close points are
+    /// used. Rounding makes |e^(iθ)| differ from 1; e^(iθ) is normalized with the point held in place.
     pub(crate) close: Option<Vector>,
 }
 
@@ -58,7 +58,7 @@ pub(crate) struct Group {
     first_unknown: usize,
     /// Constant terms of all forms.
     pub(in crate::position) constants: Vec<Vector>,
-    /// Number of forms that occur in equations. They are first among all forms; the outputs follow.
+    /// Number of forms that occur in equations. These forms come first; the others, called outputs, follow.
     pub(in crate::position) equation_forms: usize,
     /// Terms of the inputs in all forms.
     pub(in crate::position) input_terms: Vec<Term>,
@@ -199,8 +199,8 @@ impl Group {
         self.equations.len() > 2 * self.unknowns
     }
 
-    /// Solves the group from a nearby pose. Sets the margins of the step to the Jacobian's determinant and its
-    /// exponent, and sets `state.corrections`.
+    /// Solves the group from a nearby pose. Sets the two margins of the step: the Jacobian's determinant divided by
+    /// a power of two, and the exponent of this power. Also sets `state.corrections`.
     #[inline(never)]
     fn solve_near<const N: usize>(
         &self,
@@ -311,7 +311,7 @@ impl Solvable for Group {
         self.solve_near(state, context)
     }
 
-    /// Places the bodies. `solve` itself sets the angles and rejects values that are not finite.
+    /// Places the bodies by `solve`, which also sets the angles and rejects values that are not finite.
     #[inline(always)]
     fn put<const N: usize>(
         &self,

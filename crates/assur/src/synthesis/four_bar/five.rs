@@ -7,8 +7,9 @@
 //! s + Re(m A B̄) − Re(w₂A) − Re(w₃B) = 0,  s = (|w₂|² + |w₃|² + 1 − z₁²)/2,  m = w₂ w̄₃.
 //!
 //! This equation is linear and homogeneous in seven real numbers: s and the real and imaginary parts of w₂, w₃ and m.
-//! Five positions leave a plane λX + μY of solutions. In this plane m = w₂ w̄₃ becomes λ(Xₘ + tYₘ) = λ²(X₂ + tY₂)(X₃ +
-//! tY₃)̄, where t = μ/λ. As λ is real, t is a root of a cubic.
+//! Five positions leave a plane of solutions λX + μY. Let X₂, X₃ and Xₘ be the components of X for w₂, w₃ and m, let
+//! Y₂, Y₃ and Yₘ be those of Y, and let t = μ/λ. Then m = w₂ w̄₃ reads Xₘ + tYₘ = λ(X₂ + tY₂)(X₃ + tY₃)̄. As λ is
+//! real, Xₘ + tYₘ and the product have a real ratio, which makes t a root of a cubic.
 
 use crate::sorting::sort_by;
 use crate::tolerance;
@@ -27,7 +28,7 @@ pub enum StartsError {
         /// Five less the number of positions.
         freedoms: usize,
     },
-    /// More than five positions have only approximate solutions: [`Search`](super::Search).
+    /// More than five positions have only approximate solutions, which [`Search`](super::Search) finds.
     TooMany,
     /// Special positions, such as those of a parallelogram: they have infinitely many linkages.
     Degenerate,
@@ -53,7 +54,7 @@ pub fn five_positions(task: &Task) -> Result<Vec<Solution>, StartsError> {
     }
 }
 
-/// Proportions with the starting angles of output and input.
+/// Proportions with the starting angles φ₂₀ and φ₃₀ of output and input, radians.
 pub(super) type Started = (Proportions, [f64; 2]);
 
 /// Proportions with starting angles for five positions of a task.
@@ -70,7 +71,7 @@ pub(super) fn of(task: &Task, five: [usize; 5]) -> Result<Vec<Started>, StartsEr
     let [x, y] = linear::null_plane(&rows).ok_or(StartsError::Degenerate)?;
     let parts = |v: &[f64; 7]| [1, 3, 5].map(|k| Complex::new(v[k], v[k + 1]));
     let ([x2, x3, xm], [y2, y3, ym]) = (parts(&x), parts(&y));
-    // (Xₘ + tYₘ) times the conjugate of (X₂ + tY₂)(X₃ + tY₃)̄ is real.
+    // The cubic: (Xₘ + tYₘ) times the conjugate of (X₂ + tY₂)(X₃ + tY₃)̄ has the imaginary part 0.
     let product = [
         x2 * x3.conj(),
         x2 * y3.conj() + y2 * x3.conj(),

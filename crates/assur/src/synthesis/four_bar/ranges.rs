@@ -14,7 +14,7 @@ use crate::numeric::polynomial::positive_roots;
 /// The ranges of z₂ and z₃.
 pub(super) fn lengths(shape: &Shape) -> [Range; 2] {
     match *shape {
-        // z₂ = a + bτ and z₃ = b + a/τ, τ = z₂/z₃.
+        // From a/z₂ + b/z₃ = 1 with τ = z₂/z₃: z₂ = a + bτ and z₃ = b + a/τ.
         Shape::Directions { a, b, .. } => [[a, b], [b, a]].map(|[rest, scale]| match scale {
             _ if scale > 0.0 => Range {
                 from: rest.max(0.0),
@@ -35,7 +35,8 @@ pub(super) fn lengths(shape: &Shape) -> [Range; 2] {
 }
 
 /// Coefficients of the gap r along a family, for the powers −1, 0, 1 of the parameter x. In a family of directions x =
-/// τ = z₂/z₃ and r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ. In a family of sizes x is the size, and r is linear in x.
+/// τ = z₂/z₃ and r = (e₀ − a e₂ − b e₃) − b e₂ τ − a e₃/τ; e₀, e₂ and e₃ are the unit vectors of frame, output and
+/// input. In a family of sizes x is the size, and r is linear in x.
 fn gap(shape: &Shape, at: &Direction) -> [Complex<f64>; 3] {
     let one = Complex::new(1.0, 0.0);
     match *shape {

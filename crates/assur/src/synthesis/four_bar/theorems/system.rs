@@ -3,7 +3,8 @@
 use super::Angles;
 use crate::numeric::linear::{rank, solve};
 
-/// J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|² of one position, z in the order z₁, z₂, z₃.
+/// J = |z₁e₁ + z₂e₂ + z₃e₃ − e₀|² of one position, with the lengths z₁, z₂, z₃ and the unit vectors e₁, e₂, e₃ of
+/// coupler, output and input, and the unit vector e₀ of the frame.
 pub fn functional(angles: &Angles, z: [f64; 3]) -> f64 {
     let turns = [angles.coupler, angles.output, angles.input];
     let sum = turns.iter().zip(z).fold(
@@ -13,8 +14,9 @@ pub fn functional(angles: &Angles, z: [f64; 3]) -> f64 {
     sum[0] * sum[0] + sum[1] * sum[1]
 }
 
-/// The system ∂ΣJ/∂z = 0, which reads `matrix` z = `right`: scalar products of the directions, summed over all
-/// positions. For one position the matrix is a Gram matrix of plane vectors, so its rank is at most two.
+/// The system ∂ΣJ/∂z = 0, written as `matrix` z = `right`. Its coefficients are scalar products of the unit vectors in
+/// [`functional`], summed over all positions. For one position the matrix is a Gram matrix of plane vectors, so its
+/// rank is at most two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct System {
     /// Σ eᵢ·eⱼ.
@@ -84,7 +86,7 @@ impl System {
         value.max(0.0)
     }
 
-    /// z₁, z₂, z₃ of the unique minimum over all real numbers; none if the rank is below three, with many minima.
+    /// z₁, z₂, z₃ of the unique minimum over all real numbers. None if the rank is below three: many minima exist.
     pub fn minimum(&self) -> Option<[f64; 3]> {
         (self.rank == 3)
             .then(|| solve(self.matrix, self.right))
