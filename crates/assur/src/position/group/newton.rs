@@ -61,7 +61,7 @@ impl Group {
             *residual = [equation.residual(&work.values, &work.known_angles), rate];
         }
         let determinant = self.factorize(work).ok_or(Cause::DeadPoint)?;
-        // In another pose, pivoting may leave out other redundant equations; then the determinant's sign means nothing.
+        // The sign means nothing, because pivoting may leave out other redundant equations in another pose.
         let determinant = if self.is_redundant() {
             determinant.abs()
         } else {
@@ -102,8 +102,8 @@ impl Group {
         })
     }
 
-    /// True if all residuals are only rounding errors. These are large for a short link far from the origin, because
-    /// its direction has few digits. Redundant equations that are left out are checked by [`Self::locked`].
+    /// True if all residuals are only rounding errors. Rounding errors are large for a short link far from the origin,
+    /// because the direction of the link has few digits. Redundant equations are left out; [`Self::locked`] checks them.
     pub(in crate::position) fn residual_is_rounding<const N: usize>(
         &self,
         work: &mut Work<N>,
