@@ -154,7 +154,7 @@ pub(crate) fn is_plain(text: &str, longest: usize) -> bool {
 }
 
 impl Problem {
-    /// The problem for a fault of a field.
+    /// The problem that reports a fault in the value of a field.
     pub(crate) fn of_fault(field: impl Into<Field>, fault: Fault) -> Self {
         let field = field.into();
         match fault {

@@ -39,7 +39,7 @@ impl Sketch {
         }
     }
 
-    /// Returns the wheels, the smallest first. A wheel occurs once for each mesh; one in no mesh has a default radius.
+    /// Returns the wheels, the smallest first. A wheel occurs once for each mesh. Without a mesh, its radius is a default.
     pub(super) fn wheels(&self) -> Vec<Wheel> {
         let of = |name: &str| {
             let links = self.draft.links.iter();

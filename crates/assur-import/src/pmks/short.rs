@@ -149,7 +149,7 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
     Ok(Member {
         id: id.to_owned(),
         name: crate::quoted(name),
-        // The same letter also encodes which of the fields of mass and inertia are chosen.
+        // The letter encodes two settings: root or not, and which of the fields of mass and inertia are chosen.
         root: match root.ok_or_else(broken)? {
             'Y' | 'A' | 'M' | 'G' => true,
             'N' | 'a' | 'm' | 'g' => false,

@@ -38,7 +38,7 @@ pub(super) enum Following {
     },
 }
 
-/// The field in a mesh.
+/// The magnetic field in a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Field {
     /// Coefficients nᵢ of the phase δ = Σ nᵢφᵢ.
@@ -87,7 +87,8 @@ impl Field {
         combination(self.turns, angles)
     }
 
-    /// Generalized torques on the phase: −∂U/∂δ from the field, and damping. Times nᵢ, they are the torques on body i.
+    /// Generalized torques on the phase: −∂U/∂δ from the potential U of the field, and damping. Multiplied by nᵢ, they
+    /// are the torques on body i.
     pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
         (-self.energy * phase.sin(), -self.damping * rate)
     }

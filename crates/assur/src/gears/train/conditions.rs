@@ -12,8 +12,8 @@ pub enum Coupling {
 }
 
 /// Kinds of conditions. z is a number of teeth or plates, d a pitch diameter, d_a a tip diameter, a_w the axis
-/// distance, and k the number of satellites. The index is 1 for the sun, 2 for the satellite and 4 for the ring; z₂′ and
-/// d₂′ are those of the satellite's wheel in mesh with the ring.
+/// distance, and k the number of satellites. The index is 1 for the sun, 2 for the satellite and 4 for the ring; z₂′
+/// and d₂′ are those of the satellite's wheel in mesh with the ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConditionKind {
     /// Sun and ring have a common axis, z₄ = z₁ + z₂ + z₂′ (gears in contact).

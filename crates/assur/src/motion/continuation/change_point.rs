@@ -200,7 +200,7 @@ impl Continuation<'_> {
 
     /// Solves the trial pose beyond a change point, with the signs that are valid there. This pose is as far from the
     /// change point as the current pose, but not beyond the input at which the motion may repeat. Returns the pose at
-    /// the change point and the trial input; None if the step is not certified.
+    /// the change point and the input of the trial pose; None if the step is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

@@ -89,8 +89,8 @@ impl Angles {
 }
 
 /// The exact criterion. By the loop equation z₂ and z₃ are linear functions of z₁. Each of them is positive on a
-/// ray of z₁, for every z₁ or for none. Together with z₁ > 0 this leaves an interval or nothing. None if an angle is not
-/// finite.
+/// ray of z₁, for every z₁ or for none. Together with z₁ > 0 this leaves an interval or nothing. None if an angle is
+/// not finite.
 pub fn truth(angles: &Angles) -> Option<Truth> {
     if !angles.is_finite() {
         return None;
