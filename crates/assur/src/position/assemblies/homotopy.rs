@@ -171,7 +171,7 @@ impl Homotopy<'_> {
                 }
                 None => step = length / 2.0,
             }
-            // A path may end at a singular point. The caller decides by Newton's method whether it is a solution.
+            // A path may end at a singular point. The caller decides by Newton's method if this is a solution.
             if step < tolerance::DISTINCT {
                 break;
             }
