@@ -3,10 +3,10 @@
 //! | record | meaning |
 //! |---|---|
 //! | `0, body` | the following records are in the coordinates of that body (0: the frame) |
-//! | `1, role, look, loops, n₁, x, y, …, n₂, …` | closed polygons with n₁, n₂, … corners, filled by the even-odd rule |
+//! | `1, role, look, loops, n₁, x, y, …, n₂, …` | `loops` polygons of n₁, n₂, … corners, filled by the even-odd rule |
 //! | `2, role, look, n, x, y, …` | an open polyline of n points |
 //! | `3, role, look, x, y, r` | a circle |
-//! | `4, role, label, x, y, dx, dy` | a label whose middle is offset from the point by (dx, dy) text heights |
+//! | `4, role, label, x, y, dx, dy` | a label whose middle is offset from (x, y) by (dx, dy) text heights |
 //!
 //! Roles and looks are numbers in the order of their enumerations. Labels are indices of the drawing's names
 //! ([`crate::Figure::names`]). Coordinates are the model's, y upwards. Numbers are `f32`, precise enough for a screen.

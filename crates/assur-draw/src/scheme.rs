@@ -57,7 +57,7 @@ pub struct SchemeHandle {
     pub name: String,
     /// Index of the pair.
     pub pair: usize,
-    /// Colour of the link that the cut takes off the pair.
+    /// Colour of the link that the cut detaches from the pair.
     pub role: Role,
 }
 
@@ -78,7 +78,7 @@ pub struct SchemeFigure {
 /// A link as it is drawn.
 struct Body {
     link: usize,
-    /// Positions of its pairs and further points, after displacement.
+    /// Positions of the link's pairs and further points, after displacement.
     nodes: Vec<Point3>,
 }
 
@@ -157,7 +157,7 @@ impl SchemeFigure {
         handles.collect()
     }
 
-    /// Returns the positions of the handles when the last cut is open by a share of its full gap.
+    /// Returns the positions of the handles with the last cut open by the share `opened` (0 to 1) of its full gap.
     pub fn held_at(&self, opened: f64) -> Vec<Point> {
         let moved = self.opened(opened);
         let held = self.scheme.pairs().iter().enumerate();
@@ -178,8 +178,8 @@ impl SchemeFigure {
         self.projection.raised(to, self.places[pair])
     }
 
-    /// Returns the drawing with its last cut open by the share `opened`: `n, x, y, θ`, where n = 1 body is the sheet,
-    /// then a display list.
+    /// Returns the drawing with its last cut open by the share `opened`. The numbers are `1, 0, 0, 0`, which place one
+    /// body, the sheet, at x = y = 0 and θ = 0; then a display list.
     pub fn frame(&self, opened: f64) -> Vec<f32> {
         let moved = self.opened(opened);
         let mut list = List::default();
@@ -200,7 +200,7 @@ impl SchemeFigure {
         Chain::new(&self.scheme, &self.places, &self.view.cuts, self.size).opened(share)
     }
 
-    /// Returns the link at which the symbol of a pair is drawn: one that no cut takes off the pair.
+    /// Returns the link at which the symbol of a pair is drawn: the first that no cut detaches from the pair.
     fn holder(&self, pair: usize) -> usize {
         let links = &self.scheme.pairs()[pair].links;
         let left = |&&link: &&usize| !self.view.cuts.contains(&Cut { pair, link });

@@ -4,7 +4,7 @@ use assur_file::LinkageDocument;
 use serde::Deserialize;
 
 /// One edit of a drawing. Lengths are in the unit of the drawing; parts are given by name. The page writes the name of
-/// the variant into the field `edit`; the border takes it out before this type is read.
+/// the variant into the field `edit`, which the crate `assur-web` removes before it deserializes the other fields.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(tag = "edit"))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]

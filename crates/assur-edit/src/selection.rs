@@ -94,7 +94,7 @@ impl Drawing {
             point.at[0] += x;
             point.at[1] += y;
         }
-        // Parts are renamed twice, first to temporary names: a free name may be taken in the other drawing.
+        // Parts get temporary names first, because a name that is free in this drawing may be taken in the other.
         let called = names::called_by_points(&other);
         let points: Vec<String> = (other.points.iter().map(|point| &point.name))
             .chain(other.tracers.iter().map(|tracer| &tracer.name))

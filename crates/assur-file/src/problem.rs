@@ -37,15 +37,15 @@ pub enum Problem {
     UnknownChoice { field: Field },
     /// The speed of the driver is 0, so that nothing moves in real time.
     AtRest { field: Field },
-    /// A link of a four-bar is at least as long as the others together.
+    /// A link of a four-bar is at least as long as the others together; `by` is the difference.
     TooLong { field: Field, by: f64 },
     /// Wheels in internal mesh have equal numbers of teeth.
     ConcentricWheels { field: Field },
     /// A wheel is in internal mesh with both smaller and larger wheels.
     MixedWheels { field: Field },
-    /// Coupler and rocker together are too short at this crank angle.
+    /// Coupler and rocker together are too short at this crank angle; `by` is the missing length.
     Apart { phi: f64, by: f64 },
-    /// Either the coupler or the rocker is too long at this crank angle.
+    /// Either the coupler or the rocker is too long at this crank angle; `by` is the excess length.
     Inside { phi: f64, by: f64, field: Field },
     /// The pose at this crank angle is undetermined.
     Undetermined { phi: f64 },
@@ -154,7 +154,7 @@ pub(crate) fn is_plain(text: &str, longest: usize) -> bool {
 }
 
 impl Problem {
-    /// The problem for a fault of a field.
+    /// The problem that reports a fault in the value of a field.
     pub(crate) fn of_fault(field: impl Into<Field>, fault: Fault) -> Self {
         let field = field.into();
         match fault {

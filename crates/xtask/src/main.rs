@@ -1,8 +1,8 @@
 //! `cargo xtask`: development tasks, such as fetching the tools, building and serving the page, running all tests and
 //! writing the one-file page.
 //!
-//! A command first installs what it needs and does not find; each step is announced on one line. Tools go into a folder
-//! of their own inside cargo's folder, by name and version, so that no other tools are overwritten.
+//! A command first installs the tools that it needs but does not find, and announces each step on one line. Tools go
+//! into a folder of their own inside cargo's folder, by name and version, so that no other tools are overwritten.
 
 mod bench;
 mod browser;

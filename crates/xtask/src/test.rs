@@ -40,7 +40,8 @@ const SOAKED: [(&str, &str, &str); 11] = [
     ("terminal's arguments", "damaged::damaged_arguments", "100"),
 ];
 
-/// Tests of scripts that read damaged input, and the factor for their input. They take about a minute.
+/// Tests of scripts that read damaged input, and the factor by which their input is multiplied. They take about a
+/// minute.
 const SOAKED_SCRIPTS: ([&str; 2], &str) =
     (["www/app/damage.test.js", "www/state/codec.test.js"], "100");
 

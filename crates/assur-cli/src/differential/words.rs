@@ -6,7 +6,7 @@ use assur::gears::train::{InputError, Member, Relation, Shaft, TrainError};
 pub(super) const NO_CONTACT: &str = "z4 - z1 is odd or too small for gears in contact, z2 = (z4 - z1)/2: give z2, \
      without which the satellite's speed is unknown";
 
-/// Says that profile shift may compensate for a surplus of teeth on the ring, or for a deficit if `teeth` is negative.
+/// Says that the ring has `teeth` teeth too many, or too few if negative, and that profile shift may compensate.
 pub(super) fn shifted(teeth: f64) -> String {
     let count = teeth.abs();
     let noun = if count == 1.0 { "tooth" } else { "teeth" };

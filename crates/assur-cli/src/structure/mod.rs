@@ -103,7 +103,7 @@ pub(crate) fn write<W: Write>(
     Ok(())
 }
 
-/// Formats an input of the JSON report for the text report.
+/// Formats an input, as the JSON report gives it, for the text report.
 fn at(input: &Value) -> String {
     match input["phi_deg"].as_f64() {
         Some(degrees) => rounded(degrees),

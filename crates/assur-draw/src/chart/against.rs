@@ -11,7 +11,7 @@ use crate::list::Role;
 /// Height of an additional line of text below the axis.
 const LINE: f64 = 16.0;
 
-/// Quantity of an axis.
+/// Quantity or derivative shown on an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// Name of the quantity; none for the input.
@@ -36,9 +36,9 @@ pub struct Against {
     role: Role,
     settings: Settings,
     pub(super) ranges: [Range; 2],
-    /// Unbroken runs of points of the motion.
+    /// Points of the curve, one list for each unbroken arc of the motion.
     pub(super) runs: Vec<Vec<Passed>>,
-    /// Unbroken runs of points of the motion shown for comparison.
+    /// Points of the curve of the compared motion, one list for each unbroken arc.
     pub(super) compared: Vec<Vec<Passed>>,
 }
 
@@ -71,7 +71,8 @@ pub struct Field {
 }
 
 impl Against {
-    /// Makes the plot of two sampled quantities, abscissa and ordinate. `full` states that no derivative is unbounded.
+    /// Makes the plot of two sampled quantities, abscissa and ordinate. If `full`, the motion has no dead points, at
+    /// which derivatives would be unbounded.
     pub fn new(
         axes: [Axis; 2],
         role: Role,
@@ -104,7 +105,7 @@ impl Against {
         &self.axes
     }
 
-    /// Returns the role whose colour the curve has.
+    /// Returns the role that gives the curve its colour.
     pub fn role(&self) -> Role {
         self.role
     }
@@ -197,7 +198,8 @@ impl Against {
         Some(field)
     }
 
-    /// Returns the ranges of the axes. The scales are equal if both axes are for lengths or derivatives of one order.
+    /// Returns the ranges of the axes. Both scales are equal if both axes show lengths, or derivatives of lengths of
+    /// the same order.
     fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
         let [x, y] = &self.axes;
         let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);
@@ -231,7 +233,7 @@ impl Field {
     }
 }
 
-/// Returns the line across the plot at a value on an axis.
+/// Returns the ends of the line across the plot at a value on an axis (0: abscissa, 1: ordinate).
 fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(f64, f64)> {
     if axis == 0 {
         vec![(value, y0), (value, y1)]
@@ -240,7 +242,7 @@ fn across(axis: usize, value: f64, [[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> Vec<(
     }
 }
 
-/// Returns the parts of a run within the ranges of the axes.
+/// Returns the parts of a run of points that are within the ranges of the axes.
 fn within(run: &[Passed], spans: [[f64; 2]; 2]) -> Vec<Vec<Passed>> {
     let mut seen: Vec<Vec<Passed>> = Vec::new();
     let mut part: Vec<Passed> = Vec::new();

@@ -2,7 +2,8 @@
 
 use assur::mechanism::{Mechanism, PointId};
 
-/// Separator between a symbol and the read-out whose value is written with it; no name contains control characters.
+/// Separator between a symbol and the name of the read-out whose value follows the symbol in a label. No name contains
+/// control characters.
 pub(crate) const VALUE: char = '\t';
 
 /// The names of the points, then symbols. A symbol with a value is followed by [`VALUE`] and the name of the read-out.

@@ -23,7 +23,7 @@ impl<const N: usize> Posed<'_, N> {
         self.mechanism.angle(self.pose, link).value()
     }
 
-    /// Returns the origin of a link's own coordinates, which is its first point, and their angle, which is the link's.
+    /// Returns the origin and angle of a link's own coordinates: the place of the link's first point, and its angle.
     pub(super) fn body(self, link: LinkOrFrame) -> (Point, f64) {
         let first = link.and_then(|link| Some((link, *self.mechanism.points_of(link).first()?)));
         first.map_or((Point::origin(), 0.0), |(link, point)| {

@@ -39,7 +39,8 @@ impl Sketch {
         }
     }
 
-    /// Returns the wheels, the smallest first. A wheel occurs once for each mesh; one in no mesh has a default radius.
+    /// Returns the wheels, the smallest first. A wheel occurs once for each mesh or, without a mesh, once with a
+    /// default radius.
     pub(super) fn wheels(&self) -> Vec<Wheel> {
         let of = |name: &str| {
             let links = self.draft.links.iter();

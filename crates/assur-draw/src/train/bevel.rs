@@ -28,7 +28,7 @@ const RIM: f64 = 2.0;
 const CLEAR: f64 = 0.1;
 /// Length of the free ends of shafts, relative to the size of the train.
 const SHAFT: f64 = 0.5;
-/// Radius of a working member 7, on a satellite's pin, relative to the satellite's radius.
+/// Radius of working member 7 (a brush, a blade or the like) on a satellite's pin, relative to the satellite's radius.
 const SEVENTH: f64 = 0.8;
 /// Working member 8, on the carrier's shaft: distance from the cage and radius, relative to the size of the train.
 const EIGHTH: [f64; 2] = [0.85, 0.7];
@@ -153,7 +153,7 @@ impl Bevel {
         ];
         let around = outer.into_iter().fold(0.0, f64::max);
         let ([left, right], foot) = (self.shafts, (FOOT + 0.06) * self.size);
-        // Positions along the main axis, each with the distance that the drawing reaches from it.
+        // Positions along the main axis, each with the reach of the drawing from the axis at this position.
         let places = [
             (self.cage[1], around),
             (right - SHAFT * self.size, around),

@@ -9,7 +9,7 @@ use assur::mechanism::FARTHEST;
 /// Bit mask of the layers with moving parts; the other layers hold only drawings.
 const MECHANISM: i64 = 0xFFFF_FFF0;
 
-/// Number of units of length per inch, as lengths are written in a file.
+/// Number of a file's units of length per inch.
 const TO_AN_INCH: f64 = 96.0;
 const MM_TO_AN_INCH: f64 = 25.4;
 
@@ -52,7 +52,7 @@ pub(super) struct Link {
     pub(super) fastened_to_connector: Option<i64>,
 }
 
-/// Two wheels, in mesh or with a chain, and their sizes.
+/// Two wheels in mesh or joined by a chain, with their sizes.
 #[derive(Debug)]
 pub(super) struct Ratio {
     pub(super) links: [i64; 2],

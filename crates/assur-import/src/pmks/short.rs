@@ -1,4 +1,4 @@
-//! The second form: `?2P.Ay.K,0.1011.MA,A,0,0,0.…`. Dots separate sections, commas separate fields.
+//! The second form of a PMKS+ URL: `?2P.Ay.K,0.1011.MA,A,0,0,0.…`. Dots separate sections, commas separate fields.
 //! Numbers are in base 64, in thousandths, with a leading 0 if negative. Booleans are the bits of
 //! one digit. The last character encodes the length of the text before it, modulo 62.
 
@@ -55,7 +55,7 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
     Ok(plan)
 }
 
-/// Removes the check character; none if that does not match the length.
+/// Removes the check character; none if it does not match the length of the text before it.
 fn checked(query: &str) -> Option<&str> {
     let last = query.chars().next_back()?;
     let text = &query[..query.len() - last.len_utf8()];
@@ -149,7 +149,7 @@ fn member(section: &str) -> Result<Member, ImportProblem> {
     Ok(Member {
         id: id.to_owned(),
         name: crate::quoted(name),
-        // The same letter also encodes which of the fields of mass and inertia are chosen.
+        // The letter encodes two settings: root or not, and which of the fields of mass and inertia are chosen.
         root: match root.ok_or_else(broken)? {
             'Y' | 'A' | 'M' | 'G' => true,
             'N' | 'a' | 'm' | 'g' => false,

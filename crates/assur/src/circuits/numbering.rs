@@ -74,7 +74,7 @@ impl Mechanism {
         bodies.filter_map(|body| self.link_of(body)).next_back()
     }
 
-    /// Finds the index of a pose in a list of all poses, from 0.
+    /// Finds the index of a pose, from 0, in a list of the poses of all assemblies; none if the list lacks the pose.
     pub fn number_of(&self, pose: &Pose<1>, all: &[Pose<1>]) -> Option<usize> {
         all.iter()
             .position(|one| self.distance(one, pose) < tolerance::TRIPLE_ROOT)
@@ -204,8 +204,8 @@ impl Circuits {
         self.circuits = named.len();
     }
 
-    /// Sort keys of the branches: the start, the assembly at the start (none at a fold, which two branches share), and
-    /// the assembly just after the start.
+    /// Sort keys of the branches. A key contains the start of the branch, the key of the assembly at the start (empty
+    /// at a fold, which two branches share), and the key of the assembly just after the start.
     fn branch_keys(&self) -> Vec<Vec<f64>> {
         let start = |branch: &Branch| self.domain.min_input(&branch.motion);
         let mut starts: Vec<f64> = self.branches.iter().map(start).collect();
@@ -232,7 +232,7 @@ impl Circuits {
             let is_end = self.domain.ends(motion).contains(&start);
             let at_start = if is_end { Vec::new() } else { key_at(start) };
             let just_after = key_at(start + 0.01 * (next - start));
-            // A flag before each key shows whether the key is empty, so that the columns of two rows correspond.
+            // A flag before each key shows whether the key is empty: rows with equal flags have the same columns.
             let mut row = vec![number(start) as f64];
             for key in [at_start, just_after] {
                 row.push(f64::from(u8::from(!key.is_empty())));

@@ -17,7 +17,7 @@ pub(super) struct Equations {
     /// Damping of the bearings; for the satellites the bearings on the carrier.
     pub(super) damping: [f64; N],
     pub(super) load: [Load; N],
-    /// Number of bodies with this load: k for the satellites, otherwise 1.
+    /// Number of bodies on which the load acts: k for the satellites, otherwise 1.
     pub(super) count: [f64; N],
     pub(super) following: [Following; N],
 }
@@ -38,7 +38,7 @@ pub(super) enum Following {
     },
 }
 
-/// The field in a mesh.
+/// The magnetic field in a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Field {
     /// Coefficients nᵢ of the phase δ = Σ nᵢφᵢ.
@@ -53,7 +53,7 @@ pub(super) struct Field {
     pub(super) damping: f64,
 }
 
-/// Values that a step takes from the drives and from the phases at its start.
+/// Values that stay fixed during a step: those of the drives, and the phases at the start of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Driving {
     /// Torque of the drive of each body at the start of the step, and its rate of change.
@@ -87,7 +87,8 @@ impl Field {
         combination(self.turns, angles)
     }
 
-    /// Generalized torques on the phase: −∂U/∂δ from the field, and damping. Times nᵢ, they are the torques on body i.
+    /// Generalized torques on the phase: −∂U/∂δ from the potential U of the field, and damping. Multiplied by nᵢ, they
+    /// are the torques on body i.
     pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
         (-self.energy * phase.sin(), -self.damping * rate)
     }
@@ -240,7 +241,7 @@ impl Equations {
         found
     }
 
-    /// Sets the values of the bodies that follow other bodies.
+    /// Sets the values (displacements, speeds or accelerations) of bodies that follow other bodies.
     pub(super) fn tie(&self, values: &mut [f64; N]) {
         for (body, follows) in self.following.iter().enumerate() {
             if let Following::Body { to, ratio } = follows {

@@ -16,7 +16,7 @@ use super::{Assembly, FourBar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// Crank angle φ₁, within the interval `axis` of the cycle.
+    /// Crank angle φ₁, within the interval `axis()` of [`FourBar::cycle`].
     pub crank: f64,
     /// Rocker angle φ₃ at this crank angle.
     pub rocker: f64,
@@ -59,7 +59,7 @@ impl FourBar {
         let [start, end] = cycle.axis();
         let mut cranks = Vec::new();
         for (crank, side) in self.in_line() {
-            // If the cycle takes two turns, the position belongs to only one of them.
+            // If the cycle takes two turns, this assembly reaches the limit position in only one of them.
             let mut turned = start + (crank - start).rem_euclid(TAU);
             while turned < end {
                 let here = cycle.contains(turned) && self.side(assembly, turned) == side;

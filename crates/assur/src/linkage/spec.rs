@@ -195,7 +195,7 @@ pub enum Defect {
     /// A driver whose rate is not finite, is not 1 for the first driver, or prevents the motion from repeating within
     /// 24 turns of the first crank.
     Rate { link: String, rate: f64 },
-    /// Guides of these links that are parallel, but must cross.
+    /// Links whose guides are parallel, but must cross.
     ParallelGuides { links: Vec<String> },
     /// Links whose angles their meshes do not determine: meshes repeat a condition, or contradict each other.
     TrainUndetermined { links: Vec<String> },

@@ -30,8 +30,8 @@ impl Mechanism {
         self.layout.counts()
     }
 
-    /// One wheel for each passive mesh: the satellite, because its hinge joins fewer links than the hinge of sun and
-    /// ring. The equation of a passive mesh holds in every pose.
+    /// One wheel for each passive mesh: the wheel that shares points with fewer links. In an epicyclic train this is
+    /// the satellite, because its hinge joins fewer links than the hinge of sun and ring.
     pub fn passive_wheels(&self) -> impl Iterator<Item = LinkId> {
         let Layout { bodies, links, .. } = &*self.layout;
         let passive = bodies.gears.iter().filter(|gear| gear.is_passive);
@@ -42,7 +42,7 @@ impl Mechanism {
                 let shares = |link: &&Part| link.points.iter().any(|point| own.contains(point));
                 links.iter().filter(shares).count()
             };
-            // If both wheels share points with equal numbers of links, the second wheel is taken.
+            // If both wheels share points with the same number of links, the second wheel is taken.
             wheels.rev().min_by_key(sharing)
         })
     }

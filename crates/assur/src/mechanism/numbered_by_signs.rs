@@ -32,7 +32,7 @@ impl SignedAssemblies<'_> {
     }
 
     /// The mechanism redrawn in the assembly with a given number, from 0, at the drawn input or, if assemblies meet
-    /// there, just beside it. None if no assembly has this number, or no drawing distinguishes it from the others.
+    /// there, just beside it. None if no assembly has this number, or no drawing selects this assembly.
     pub fn assembly(&self, number: usize) -> Option<Mechanism> {
         self.mechanism.with_signs(self.all.get(number)?)
     }
@@ -58,7 +58,7 @@ impl Mechanism {
     }
 
     /// The mechanism redrawn with its four-bar in a given assembly. None if the drawing already shows this assembly, if
-    /// the links do not close, or if no drawing distinguishes the assembly.
+    /// the links do not close, or if no drawing selects the given assembly.
     pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
         let step = self.closed_steps().next()?.step;
         let mut signs = self.drawn.signs.clone();

@@ -30,7 +30,8 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// Body whose position or orientation differs between two poses. A wheel that moves nothing else may have turned.
+    /// Body whose position or orientation differs between two poses; None if there is none. A wheel that moves nothing
+    /// else may have turned.
     pub(crate) fn moved<const N: usize>(
         &self,
         a: &State<N>,

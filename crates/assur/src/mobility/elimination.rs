@@ -297,11 +297,11 @@ impl Eliminated {
         })
     }
 
-    /// Generic combination of the solutions for the `wanted` free unknowns; no coefficients have a simple ratio.
+    /// Generic combination of the solutions for the `wanted` free unknowns: no two coefficients have a simple ratio.
     pub(super) fn mixture(&self, wanted: impl Fn(usize) -> bool) -> Vec<f64> {
         let mut values = vec![0.0; self.columns];
         for column in self.free().filter(|column| wanted(*column)) {
-            // Fractional part of a multiple of the golden ratio, increased by one half.
+            // Fractional parts of multiples of the golden ratio have no simple ratios. Adding 0.5 avoids small values.
             values[column] = 0.5 + ((column + 1) as f64 * 0.618_033_988_749_895).fract();
         }
         self.substitute(&mut values, self.pivots.len());

@@ -5,7 +5,7 @@ use super::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 /// Columns and rows of the grid of cells for the joints. The lowest row is for joints of the ground.
 const CELLS: [usize; 2] = [4, 3];
 
-/// Maximum distance of a joint from the middle of its unit cell on each axis: joints stay 1 − 2 · JITTER apart.
+/// Maximum distance of a joint from the middle of its unit cell on each axis. Joints are at least 1 − 2 · JITTER apart.
 const JITTER: f64 = 0.15;
 
 /// Number of the ground, which also serves as its name.

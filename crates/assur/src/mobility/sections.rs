@@ -22,7 +22,7 @@ pub struct Sections {
     pub removed_spatial: usize,
     /// W = W_open − ΣS in the scheme's own space (mobility paper, (5)).
     pub mobility: isize,
-    /// q = ΣS + W − W_open: ΣS and W_open in space, W as above. Zero by construction for a spatial scheme.
+    /// q = ΣS + W − W_open, with ΣS and W_open in space but W in the scheme's own space. Zero for a spatial scheme.
     pub redundant: isize,
     /// The contours opened by the cuts, one for each cut.
     pub loops: Vec<Loop>,

@@ -50,8 +50,8 @@ use turn_count::range_between;
 
 /// Number of samples per turn in the search for extrema. Their spacing is also the unit of continuation steps.
 const SAMPLES_PER_TURN: usize = 360;
-/// Maximum number of turns searched for extrema, and of inputs listed for one crank angle. A plot could not resolve
-/// more turns; trains whose wheels move no link may need a million.
+/// Maximum number of turns searched for extrema; also the maximum number of inputs listed for one crank angle. A plot
+/// could not resolve more turns, and a train whose wheels move no link may take a million turns to repeat.
 pub(crate) const MAX_TURNS: usize = 256;
 
 /// Motion of a mechanism in one of its assemblies. A pose depends on the input alone: the assembly signs at every input
@@ -167,8 +167,8 @@ impl Motion {
         motion
     }
 
-    /// Pulls the ends of the arcs inward until each end has a pose. An input shifted by whole turns is rounded again,
-    /// possibly to beyond the dead point.
+    /// Pulls the ends of the arcs inward until each end has a pose. An end may have none: when an input is shifted by
+    /// whole turns, rounding may move it beyond the dead point.
     fn end_in_poses(&mut self) {
         if self.cycle.is_full() {
             return;

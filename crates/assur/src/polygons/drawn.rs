@@ -100,8 +100,8 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// Stages of the polygon for a step: its equations, then the images of its bodies, without the points already
-    /// known.
+    /// Stages of the polygon for a step of the plan: one for each equation, then one for the images of the bodies.
+    /// Points already known are left out of the images.
     fn step(&self, step: StepId) -> Vec<Stage> {
         let placing = &self.mechanism.steps()[step];
         let bodies = placing.bodies();
@@ -158,7 +158,7 @@ impl<const N: usize> Sheet<'_, N> {
         stages
     }
 
-    /// Route to a point, with its legs.
+    /// Route to a point along one way. If `driven`, all vectors of the route are known.
     fn route(&self, target: Node, way: &Way, driven: bool) -> Route {
         let mechanism = self.mechanism;
         let [from, to] = [way.from, target].map(|node| self.moving(node));

@@ -4,7 +4,8 @@ use super::{BodyPoint, Cause, DriveLaw, Enclosure, Predictor, Solvable, State, S
 use crate::Vector;
 use crate::index::{BodyId, PointId, StepId};
 
-/// Body hinged to the frame or a moving body, the base. Its angle relative to the base is linear in the input.
+/// Driven body, hinged to its base, which is the frame or a moving body. The angle of the driven body relative to the
+/// base is linear in the input.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Crank {
     pub(crate) body: BodyId,
@@ -12,7 +13,7 @@ pub(crate) struct Crank {
     pub(crate) at: BodyPoint,
     pub(crate) hinge: Vector,
     pub(crate) joint: PointId,
-    /// Offset of the driven angle from the angle between body and base: a link may be rotated relative to its body.
+    /// Driven angle less the angle between body and base; not zero if a link is rotated relative to its body.
     pub(crate) angle_offset: f64,
     pub(crate) law: DriveLaw,
 }
@@ -31,7 +32,7 @@ impl Solvable for Crank {
 
     fn enclose(&self, _: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         let at = cell.point(from, self.at).acceleration;
-        // The angular velocity of the body relative to its base is constant.
+        // Body and base have the same angular acceleration, because their relative angular velocity is constant.
         let angular_acceleration = cell.angular_acceleration(self.at.body);
         cell.set(self.body, angular_acceleration, [(self.hinge, at); 2]);
         true

@@ -195,7 +195,8 @@ impl Search {
         self.progress
     }
 
-    /// Next value to try, for the variable to whose index `self.next` is set; none if all steps have become negligible.
+    /// Finds the next value to try, and sets `self.next` to the index of its variable. None if all steps have become
+    /// negligible.
     fn candidate(&mut self) -> Option<f64> {
         let live = |k: usize| self.steps[k].abs() > tolerance::DISTINCT * self.variables[k].width();
         let count = self.variables.len();
@@ -258,7 +259,8 @@ impl DesignVariable {
     }
 }
 
-/// Values of a motion; none if the driver does not turn fully or forces grow a thousandfold near a singular pose.
+/// Values of a motion. None if they are not defined, if the driver does not turn fully, or if the motion comes so close
+/// to a singular pose that forces grow a thousandfold.
 fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluation> {
     let singularity_margin = motion.singularity_margin();
     if !motion.cycle().is_full() || singularity_margin.abs() < tolerance::NEAR {

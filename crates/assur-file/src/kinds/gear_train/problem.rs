@@ -22,7 +22,7 @@ pub enum GearTrainProblem {
     SatelliteNotInside { satellite: u32, ring: u32 },
     /// Pitch cones without a common apex: |z₄ − z₁| < 2 z₂ does not hold for sun z₁, satellite z₂ and ring z₄.
     NoCones { sun: u32, satellite: u32, ring: u32 },
-    /// Magnets touch: the axis distance must be above this limit at the sun, or below it at the ring.
+    /// Magnets touch: the axis distance must be above `limit` in the sun's mesh, or below it in the ring's.
     Contact {
         mesh: ShaftDocument,
         distance: f64,

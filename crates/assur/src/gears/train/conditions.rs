@@ -11,7 +11,9 @@ pub enum Coupling {
     Magnetic,
 }
 
-/// Kinds of conditions. a_w is the axis distance, d a pitch diameter, d_a a tip diameter, k the number of satellites.
+/// Kinds of conditions. z is a number of teeth or plates, d a pitch diameter, d_a a tip diameter, a_w the axis
+/// distance, and k the number of satellites. The index is 1 for the sun, 2 for the satellite and 4 for the ring; z₂′
+/// and d₂′ are those of the satellite's wheel in mesh with the ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConditionKind {
     /// Sun and ring have a common axis, z₄ = z₁ + z₂ + z₂′ (gears in contact).
@@ -104,7 +106,8 @@ impl Differential {
 }
 
 impl Layout {
-    /// The conditions for a coupling, met or not. Axial displacement sets the gaps of bevel wheels, which are coaxial.
+    /// The conditions for a coupling, met or not. A bevel train has none of coaxiality or gaps: its sun and ring are
+    /// coaxial, and axial displacement of the wheels sets the gaps.
     pub fn conditions(&self, coupling: Coupling) -> Vec<Condition> {
         let mut conditions = match (self.train().kind(), coupling) {
             (Kind::Bevel, _) => vec![],

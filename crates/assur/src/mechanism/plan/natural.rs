@@ -114,7 +114,7 @@ struct Plan<'a> {
     drawn_input: Vec<Vector>,
     /// Unit of each unknown.
     units: Vec<f64>,
-    /// Bodies whose turn follows from two points close together, each with the position of the first point on the body.
+    /// Bodies whose turn follows from two points close together, each with the first point's position on the body.
     close: BTreeMap<BodyId, Vector>,
     /// The size of the group.
     size: f64,
@@ -154,7 +154,7 @@ impl Plan<'_> {
         self.solved[body] || self.placed.contains_key(&body)
     }
 
-    /// Slide between a body and a placed body, and the placed body.
+    /// Slide that joins a body to a placed body, and this placed body; None if there is no such slide.
     fn guided(&self, body: BodyId) -> Option<(SlideId, BodyId)> {
         let mut slides = self.bodies.slides.enumerate();
         slides.find_map(|(slide, joint)| {
@@ -186,7 +186,7 @@ impl Plan<'_> {
                         best
                     }
                 });
-                // Two points close together do not determine a distant point: it must become known first.
+                // Two points close together do not determine a distant point accurately: it must become known first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
@@ -273,7 +273,7 @@ impl Plan<'_> {
                 if (b - a).norm() < CLOSE * self.size {
                     self.close.insert(body, a);
                 }
-                // For two points on solved bodies or on the frame, this condition is a redundant constraint.
+                // If both points are on solved bodies or on the frame, this condition is a redundant constraint.
                 let unit = Condition::Unit(turn.clone(), (b - a).norm());
                 self.conditions.push((body, unit));
                 let origin = p.minus(&turn.by(a));
@@ -295,7 +295,8 @@ impl Plan<'_> {
         }
     }
 
-    /// Sets the forms of a body and of its points. A point that already has a form gives a condition.
+    /// Sets the linear forms of a body and of its points, except those in `used`. If a point already has a form, both
+    /// forms must be equal, which is a condition.
     fn settle(&mut self, body: BodyId, [origin, turn]: [Form; 2], used: &[PointId]) {
         for (point, local) in self.bodies.of(body) {
             let at = origin.plus(&turn.by(*local));

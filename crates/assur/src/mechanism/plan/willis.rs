@@ -4,8 +4,8 @@
 use crate::index::BodyId;
 use crate::mechanism::plan::body::Gear;
 
-/// Coefficients of the bodies' angles, but not the frame's, which is zero, in ascending order of bodies, in an equation
-/// with a constant right side.
+/// Linear equation between the angles of bodies, with a constant right side: the bodies, in ascending order, with the
+/// coefficients of their angles. The frame is left out, because its angle is zero.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::mechanism) struct Equation(Vec<(BodyId, i128)>);
 
@@ -13,13 +13,13 @@ impl Equation {
     /// Equation `z₁(θ₁ − θ₀) ± z₂(θ₂ − θ₀) = const` of two wheels with z₁ and z₂ teeth; θ₁ and θ₂ are the angles of the
     /// wheels and θ₀ that of their carrier.
     pub(in crate::mechanism) fn of(gear: &Gear) -> Self {
-        // Numbers of teeth are whole.
+        // The casts are exact, because numbers of teeth are whole.
         let [first, second] = gear.signed_teeth().map(|teeth| teeth as i128);
         let [a, b] = gear.bodies;
         let mut equation = Self::default();
         for (body, by) in [(a, first), (b, second), (gear.carrier, -first - second)] {
             if body != BodyId::FRAME {
-                // The sum of three numbers of teeth does not overflow.
+                // Cannot fail: sums of a few numbers of teeth do not overflow.
                 equation.add(body, by);
             }
         }
@@ -71,14 +71,14 @@ impl Equation {
 #[derive(Clone, Debug, Default)]
 pub(in crate::mechanism) struct Solved(Vec<(BodyId, Equation)>);
 
-/// Contribution of an equation to the equations before it.
+/// Effect of an equation added to earlier equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::mechanism) enum Adds {
     /// The equation determines one more angle.
     Angle,
     /// The equation follows from the earlier ones.
     Nothing,
-    /// The equation relates angles that are not sought.
+    /// The equation relates only angles that are not sought.
     Elsewhere,
 }
 
@@ -126,12 +126,12 @@ impl Solved {
     }
 }
 
-/// Marks the passive gear couplings, whose equations follow from earlier ones, as those of a second satellite.
+/// Marks the passive gear couplings, such as those of a second satellite: their equations follow from earlier ones.
 pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
     let mut solved = Solved::default();
     for gear in gears {
         let adds = solved.add(&Equation::of(gear), |_| true);
-        // A wheel in mesh with itself is no coupling at all.
+        // A body in mesh with itself is no coupling, so it is not a passive one.
         gear.is_passive = gear.bodies[0] != gear.bodies[1] && adds == Some(Adds::Nothing);
     }
 }

@@ -9,8 +9,8 @@ use crate::{Jet, tolerance};
 /// Distance from a change point, relative to the span of the input, within which the margins ([`State::margins`]) lose
 /// too many digits. Poses ahead are also probed at this distance.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
-/// Maximum relative deviation of the square under a root from its Taylor series at a change point. So near to a change
-/// point it is usually far smaller; a larger one indicates another singularity nearby.
+/// Maximum relative deviation, just beyond a change point, of the quantity under a square root from its Taylor series.
+/// The deviation is usually far smaller; a larger one indicates another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
 /// A change point: steps of the plan whose links come into line at the same input and pass through.
@@ -22,9 +22,9 @@ pub(super) struct ChangePoint {
 }
 
 impl Continuation<'_> {
-    /// Change point just ahead; None if none is near enough to be recognized. A step that depends on the links in line
-    /// may fail first, so the step of the change point is `failed` or precedes it in the plan. Newton's method for the
-    /// minimum of a margin converges from within a thousandth of the input's span.
+    /// Change point at most a thousandth of the input's span ahead, from where Newton's method for the minimum of a
+    /// margin converges; None if there is none. Its step is `failed` or an earlier step of the plan, because a step
+    /// that depends on the links in line may be the first to fail.
     pub(super) fn change_point_ahead(&self, failed: StepId, width: f64) -> Option<ChangePoint> {
         if width.abs() > tolerance::NEAR * self.mechanism.span() {
             return None;
@@ -200,7 +200,7 @@ impl Continuation<'_> {
 
     /// Solves the trial pose beyond a change point, with the signs that are valid there. This pose is as far from the
     /// change point as the current pose, but not beyond the input at which the motion may repeat. Returns the pose at
-    /// the change point and the trial input; None if the step is not certified.
+    /// the change point and the input of the trial pose; None if the step is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

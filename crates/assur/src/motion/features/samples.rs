@@ -30,9 +30,9 @@ impl Sample {
     }
 }
 
-/// Sample inputs of each arc, evenly spaced and graded towards the inputs from `in_line`, at which the crank is in line
-/// with the outer hinges of a dyad. Near a change point, or if the hinges nearly meet, the motion there may change
-/// abruptly. A full cycle is centred on input 0, near which floating-point numbers are densest.
+/// Sample inputs of each arc: evenly spaced, and denser towards the inputs that `in_line` returns, at which the crank
+/// is in line with the outer hinges of a dyad. The motion may change abruptly there, if a change point is near or the
+/// hinges nearly meet. A full cycle is centred on input 0, near which floating-point numbers are densest.
 pub(super) fn grids(
     cycle: &Cycle,
     in_line: &dyn Fn([f64; 2]) -> Vec<f64>,
@@ -79,9 +79,10 @@ pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     Ok(())
 }
 
-/// Closes the samples of a full cycle; other samples are unchanged. Samples of a derivative stay centred on the start
-/// of the cycle, and the last one takes the values of the first. Samples of the function itself are moved to run from
-/// the start to the end, where the start is repeated. An angle that turns fully continues from cycle to cycle.
+/// Closes the samples of a full cycle, which are centred on its start; other samples are unchanged. Samples of a
+/// derivative (`order` above 0) stay in place, and the last takes the values of the first. Samples of the function
+/// itself are moved to run from the start of the cycle to its end, with a sample at both. An angle that turns fully
+/// continues from cycle to cycle.
 pub(super) fn closed(
     cycle: &Cycle,
     mut samples: Samples,

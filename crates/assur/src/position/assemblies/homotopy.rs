@@ -148,7 +148,7 @@ impl Homotopy<'_> {
             for (x, step) in x.iter_mut().zip(step.iter()) {
                 *x -= step;
             }
-            // A step with a small correction stays on its path.
+            // A small correction shows that the step has stayed on its path.
             (change <= tolerance::NEAR).then_some(change)
         };
         let found = newton(MAX_CORRECTOR_STEPS, step, |change, _| {
@@ -171,7 +171,7 @@ impl Homotopy<'_> {
                 }
                 None => step = length / 2.0,
             }
-            // A path may end at a singular point. Newton's method then decides whether there is a solution.
+            // A path may end at a singular point. The caller decides by Newton's method if this is a solution.
             if step < tolerance::DISTINCT {
                 break;
             }

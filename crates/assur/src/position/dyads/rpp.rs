@@ -8,19 +8,19 @@ use crate::position::{
     Cause, Enclosure, Predictor, Singularity, Solvable, State, StepContext, Track, crossing,
 };
 
-/// Link i is hinged at B, and link j slides (the block and the yoke of a Scotch yoke).
+/// Link i is hinged at B and slides on link j; link j slides along the solved line (block and yoke of a Scotch yoke).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rpp {
     pub(crate) side: Side,
     pub(crate) track: Track,
-    /// Unit vector along the inner slide on j; `through` is a point of its line on j.
+    /// Unit vector along the line of the inner slide, in the coordinates of j; `through` is a point of this line.
     pub(crate) direction: Vector,
     pub(crate) through: Vector,
 }
 
 impl Solvable for Rpp {
-    /// Both angles follow from the angle of the solved line. The track's point on j is the intersection of the track
-    /// with a parallel to the line of the inner slide.
+    /// Both angles follow from the angle of the solved line. The point of j that is guided by this line is found as the
+    /// intersection of its path with a parallel to the line of the inner slide.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,
@@ -36,7 +36,7 @@ impl Solvable for Rpp {
 
         let shift = |of: Complex<N>, by: f64| of.by(Vector::new(0.0, by));
         let guide = (start + shift(direction, track.offset), direction);
-        // The line of i, shifted to the track's point on j.
+        // The line of the inner slide, shifted to pass through the guided point of j.
         let across = turn_j.by(track.point - self.through);
         let sliding = (b + shift(inner, side.offset) + across, inner);
         let at = crossing([guide, sliding], &mut state.margins[context.step])?;

@@ -46,7 +46,7 @@ impl Drive {
 /// The known part of an angle constraint while its group is solved.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
-    /// Sum of the solved bodies' angles times their factors, less constant and driven coordinate; a length for a slide.
+    /// Σ nᵢθᵢ over the solved bodies, less the constant and the driven coordinate; for a driven slide, a length.
     pub(in crate::position) angle: Jet<N>,
     /// Orientations of the unknown bodies in a nearby pose, less than half a turn from those sought.
     pub(in crate::position) near: [Orientation; MAX_FORMS],

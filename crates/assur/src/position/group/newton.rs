@@ -61,7 +61,7 @@ impl Group {
             *residual = [equation.residual(&work.values, &work.known_angles), rate];
         }
         let determinant = self.factorize(work).ok_or(Cause::DeadPoint)?;
-        // In another pose, pivoting may leave out other redundant equations; then the determinant's sign means nothing.
+        // The sign means nothing, because pivoting may leave out other redundant equations in another pose.
         let determinant = if self.is_redundant() {
             determinant.abs()
         } else {
@@ -89,7 +89,7 @@ impl Group {
         }
     }
 
-    /// Greatest change of an unknown, in its unit; the rate beside each change is ignored.
+    /// Greatest change of an unknown, relative to its unit; the rate beside each change is ignored.
     fn step_size(&self, step: &[[f64; 2]]) -> f64 {
         let changes = step.chunks_exact(2).zip(&self.units);
         changes.fold(0.0, |most, (change, unit)| {
@@ -102,8 +102,9 @@ impl Group {
         })
     }
 
-    /// True if all residuals are only rounding errors. These are large for a short link far from the origin, because
-    /// its direction has few digits. Redundant equations that are left out are checked by [`Self::locked`].
+    /// True if all residuals are only rounding errors. Rounding errors are large for a short link far from the origin,
+    /// because the direction of the link has few digits. Redundant equations that are left out here are checked by
+    /// [`Self::locked`].
     pub(in crate::position) fn residual_is_rounding<const N: usize>(
         &self,
         work: &mut Work<N>,
@@ -146,7 +147,8 @@ impl Group {
         is_rounding
     }
 
-    /// Contradiction between redundant constraints: the equation with the largest residual. None if all equations hold.
+    /// Contradiction between redundant constraints: the largest residual, and the body that its equation constrains.
+    /// None if all equations hold.
     fn locked<const N: usize>(&self, work: &Work<N>) -> Option<Cause> {
         if !self.is_redundant() {
             return None;

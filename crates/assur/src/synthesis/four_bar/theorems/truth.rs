@@ -1,4 +1,7 @@
 //! The exact condition for one position: the range of z₁ in which all lengths are positive.
+//!
+//! The loop equation is e₀ = z₁e₁ + z₂e₂ + z₃e₃, with unit vectors along frame, coupler, output and input, in this
+//! order. The lengths z₁, z₂, z₃ are relative to the length of the frame.
 
 use std::f64::consts::PI;
 
@@ -47,9 +50,9 @@ impl Truth {
     }
 }
 
-/// Angle δ₊ − δ₋, radians, between the two of e₁, e₂, e₃ nearest to e₀ on its right and on its left. Positive lengths
-/// close the loop exactly if this angle is less than π: then e₀ lies strictly inside the cone of e₁, e₂, e₃. None if
-/// one of them points along e₀, all three are on one side, or an angle is not finite.
+/// Angle δ₊ − δ₋, radians. δ₊ is the least positive and δ₋ the greatest negative of the angles from e₀ to e₁, e₂, e₃.
+/// Positive lengths close the loop exactly if δ₊ − δ₋ is less than π: then e₀ lies strictly inside the cone of e₁, e₂,
+/// e₃. None if one of them points along e₀, all three are on one side of e₀, or an angle is not finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
     if angles.is_along() {
         return None;
@@ -61,7 +64,8 @@ pub fn opening(angles: &Angles) -> Option<f64> {
     opening.is_finite().then_some(opening)
 }
 
-/// True if some z ≥ 0 closes the loop: e₀ is in the closed cone of e₁, e₂, e₃. None if an angle is not finite.
+/// True if some lengths z₁, z₂, z₃ ≥ 0 close the loop: e₀ is in the closed cone of e₁, e₂, e₃. None if an angle is not
+/// finite.
 pub(super) fn non_negative(angles: &Angles) -> Option<bool> {
     if !angles.is_finite() {
         return None;
@@ -84,8 +88,9 @@ impl Angles {
     }
 }
 
-/// The exact criterion. Each of z₂ = P₂ + Q₂z₁ and z₃ = P₃ + Q₃z₁ is positive on a ray of z₁, for every z₁ or for none.
-/// Together with z₁ > 0 this leaves an interval or nothing. None if an angle is not finite.
+/// The exact criterion. By the loop equation z₂ and z₃ are linear functions of z₁. Each of them is positive on a
+/// ray of z₁, for every z₁ or for none. Together with z₁ > 0 this leaves an interval or nothing. None if an angle is
+/// not finite.
 pub fn truth(angles: &Angles) -> Option<Truth> {
     if !angles.is_finite() {
         return None;
@@ -104,7 +109,7 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
             return Some(Truth::None);
         }
     }
-    // If e₁ points along e₀, an empty range has both ends at 1, up to rounding.
+    // The tolerance keeps an empty range empty: if e₁ points along e₀, both its ends are 1, up to rounding.
     Some(
         if to.is_none_or(|to| from < to * (1.0 - tolerance::NEGLIGIBLE)) {
             Truth::Between { from, to }
@@ -123,7 +128,7 @@ fn parallel(angles: &Angles) -> Truth {
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
     if coupler[0] == 0.0 {
-        // The coupler is parallel too, so the loop closes only if the frame is also parallel: z₂ ± z₃ = e₀e₂ − e₁e₂z₁.
+        // The coupler is parallel too. The loop closes only if the frame is also parallel: z₂ ± z₃ = e₀·e₂ − z₁ e₁·e₂.
         let range = match (frame[1] > 0.0, coupler[1] < 0.0) {
             _ if opposite => Some((0.0, None)),
             (true, true) => Some((0.0, None)),
