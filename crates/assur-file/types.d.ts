@@ -72,17 +72,17 @@ export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher" | 
 export type KindDocument = "revolute" | "prismatic" | "screw" | "cylindrical" | "universal" | "spherical" | "planar" | "sphere_in_cylinder" | "cylinder_on_plane" | "sphere_on_plane" | "class";
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
 export type LessonDocument = { 
-/** Its title. */ title: string, 
-/** Its author. */ author?: string, 
-/** Its steps in their order. */ steps: Array<StepDocument>, };
+/** Title of the lesson. */ title: string, 
+/** Author of the lesson; may be empty. */ author?: string, 
+/** Steps of the lesson, in order. */ steps: Array<StepDocument>, };
 export type LinkDocument = { 
-/** Its name. */ name: string, 
-/** Its points. The link's angle is the direction from the first to the second. */ points: Array<string>, 
-/** The distance between its two points, if not as drawn. */ length?: number | null, 
-/** The coordinates of its points on the link, if not as drawn. */ shape?: Array<[number, number]> | null, 
-/** The link to which it is rigidly fixed, or `frame`. */ fixed_to?: string | null, 
-/** Its centre of mass, one of its points. */ centre_of_mass?: string | null, 
-/** Its mass, kilograms. */ mass_kg?: number | null, };
+/** Name of the link. */ name: string, 
+/** Points of the link. The link's angle is the direction from the first to the second. */ points: Array<string>, 
+/** Distance between the two points of the link, if not as drawn. */ length?: number | null, 
+/** Coordinates of the points in any axes fixed to the link, if not as drawn. */ shape?: Array<[number, number]> | null, 
+/** The link to which this link is rigidly fixed, or `frame`. */ fixed_to?: string | null, 
+/** Centre of mass of the link, one of its points. */ centre_of_mass?: string | null, 
+/** Mass of the link, kilograms. */ mass_kg?: number | null, };
 export type LinkageDocument = { 
 /** Title of the linkage. */ title?: string | null, 
 /** Source of the dimensions. */ source?: string | null, 
@@ -135,23 +135,23 @@ export type MixerDocument = {
 /** The peripheral wheels that wheel 4 drives: wheels 5, 6, … */ wheels: Array<WheelDocument>, 
 /** Type of mesh: `external`, `internal` or `as_printed`. */ mesh: MeshDocument, 
 /** Module of the wheels. */ module: number, 
-/** Number of the assembly, 1 or 2. */ assembly: 1 | 2, 
+/** Number of the assembly of the four-bar, 1 or 2. */ assembly: 1 | 2, 
 /** Traced points: P₁, P₂, … */ tracers: Array<MixerTracerDocument>, };
 export type MixerTracerDocument = { 
-/** The link to which it is fixed: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, … */ link: string, 
+/** The link that carries the point: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, … */ link: string, 
 /** Coordinate along the link, from the link's first joint. */ x: number, 
 /** Coordinate perpendicular to the link, to the left. */ y: number, };
 export type NumberDocument = { 
 /** Name of the quantity, such as `rocker.angle` or `C.x′`. */ quantity?: string | null, 
 /** The input at which the quantity is evaluated, in the reader's unit; if absent, the input of the step. */ at?: number | null, 
 /** The answer itself, if it is not a quantity. */ value?: number | null, 
-/** Unit written beside a value. */ unit?: string, 
+/** Unit written beside `value`. */ unit?: string, 
 /** Tolerance of the answer. */ within: number, 
 /** Whether the page shows the value of the quantity while the question is open; false by default. */ shown?: boolean, };
 export type NumberField = { 
-/** Path of its field, such as `wheels[0].z`. */ field: string, 
-/** Its value. */ value: number, 
-/** Whether it is a whole number, such as a number of teeth. */ whole: boolean, 
+/** Path of the number's field, such as `wheels[0].z`. */ field: string, 
+/** Value of the number. */ value: number, 
+/** Whether only whole numbers are allowed, as for a number of teeth. */ whole: boolean, 
 /**
  * Whether the engine sets the number, starting from the current pose, and changes other fields, too;
  * otherwise only this field is written.
@@ -163,9 +163,9 @@ export type OpenLesson = {
 /** Name of the lesson, which is also that of its folder. */ id: string, 
 /** The step, counted from 1. */ step: number, };
 export type PairDocument = { 
-/** Its name. */ name: string, 
+/** Name of the pair. */ name: string, 
 /** Type of the pair. */ kind: KindDocument, 
-/** The links that it joins. */ links: Array<string>, 
+/** Names of the links that the pair joins. */ links: Array<string>, 
 /** Position of the pair. */ at?: PlaceDocument | null, 
 /** A vector of any length in the direction of the axis or normal. */ axis?: [number, number, number] | null, 
 /** The second axis of a universal pair, or the line along which two surfaces touch. */ second?: [number, number, number] | null, 
@@ -174,12 +174,12 @@ export type PairDocument = {
 export type PictureDocument = { 
 /** The image, as a `data:` URL. */ image: string, 
 /** Position of the picture's upper left corner. */ at: [number, number], 
-/** Its width, in the unit of lengths. */ width: number, 
-/** Direction of its upper edge, degrees. */ turn_deg: number, 
-/** Its opacity, up to 1. */ opacity: number, };
+/** Width of the picture, in the unit of lengths. */ width: number, 
+/** Direction of the picture's upper edge, degrees. */ turn_deg: number, 
+/** Opacity of the picture, up to 1. */ opacity: number, };
 export type PlaceDocument = [number, number] | [number, number, number];
 export type PointDocument = { 
-/** Its name. */ name: string, 
+/** Name of the point. */ name: string, 
 /** Drawn coordinates x, y. */ at: [number, number], };
 export type PolesDocument = "alike" | "alternating";
 export type PositionDocument = { 
@@ -220,15 +220,15 @@ export type ShownDocument = {
 /** Numbers of the document that vary from reader to reader. */ vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type SlideDocument = { 
 /** The link that slides. */ link: string, 
-/** The point of this link that keeps its drawn distance from the line. */ point: string, 
+/** Point of the sliding link that keeps its drawn distance from the line. */ point: string, 
 /** The link that carries the line, or `frame`. */ on: string, 
-/** Two points of that link through which the line passes. */ line: [string, string], };
+/** Two points through which the line passes, on the link that carries it. */ line: [string, string], };
 export type SpeedUnit = "rad_per_s" | "per_min";
 export type StepDocument = { 
-/** Its title. */ title: string, 
+/** Title of the step. */ title: string, 
 /** Paragraphs, one per line. Asterisks mark `*emphasis*`, and `_` starts a subscript in a symbol. */ text: string, 
 /** Formulas, one per line. */ formula?: string, 
-/** The shown document; if absent, that of the step before. */ shows?: ShownDocument | null, 
+/** The shown document; if absent, the document of the step before is shown. */ shows?: ShownDocument | null, 
 /** The question, if there is one. */ question?: QuestionDocument | null, };
 export type SynthesisDocument = { 
 /** Unit of lengths; if absent, only proportions count. */ unit?: LengthUnit | null, 
@@ -249,9 +249,9 @@ solution?: number | null,
 /** Lengths l₁, l₂, l₃ that are shown instead of a solution. */ trial?: [number, number, number] | null, 
 /** The function with which the shown linkage is compared. The positions need not come from it. */ function?: FunctionDocument | null, };
 export type TracerDocument = { 
-/** Its name, different from those of all points. */ name: string, 
-/** The link to which it is fixed. */ link: string, 
-/** Its coordinates on the link: x from the link's first point towards the second, y to the left. */ at: [number, number], };
+/** Name of the traced point, different from the names of all points. */ name: string, 
+/** The link to which the traced point is fixed. */ link: string, 
+/** Coordinates of the traced point on the link: x from the link's first point towards the second, y to the left. */ at: [number, number], };
 export type VariedDocument = { 
 /** Path of the field of a number that a lesson may vary, such as `links[0].length`. */ field: string, 
 /** The least value. */ from: number, 
@@ -302,5 +302,5 @@ measures: Array<string>,
 /** Whether the page has large text, thick lines and high contrast, as for a projector. */ projector: boolean, 
 /** Language of the page. */ lang: string, };
 export type WheelDocument = { 
-/** Its number of teeth. */ z: number, 
+/** Number of teeth of the wheel. */ z: number, 
 /** Direction from the shaft of wheel 4 to that of this wheel, degrees. */ centre_line_deg: number, };
