@@ -1,16 +1,17 @@
 // The assemblies of a linkage: no edit waits for them.
 import assert from "node:assert/strict";
 import test from "node:test";
+import { Simulator } from "assur/pkg/assur_web.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 
-test("assemblies are found when they are first read, and only then", () => {
+test("assemblies are found when they are first read, and only then", (t) => {
   const engine = newEngine();
   let asked = 0;
-  const assemblies = engine.assemblies.bind(engine);
-  engine.assemblies = (input) => {
+  const { assemblies } = Simulator.prototype;
+  t.mock.method(Simulator.prototype, "assemblies", function (input) {
     asked += 1;
-    return assemblies(input);
-  };
+    return assemblies.call(this, input);
+  });
   const first = engine.set(stateOf(engine, "class4-dwell"));
   const second = engine.set(stateOf(engine, "class4-dwell"));
   assert.equal(asked, 0);

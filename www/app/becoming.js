@@ -32,7 +32,7 @@ export class Becoming {
     const page = this.#page;
     const button = make("button", { id: `become-${kind}`, type: "button", "data-t": `become.${kind}` });
     button.addEventListener("click", () => {
-      const made = attempt(() => page.engine.asKind(kind, inputNow(page))).value;
+      const made = attempt(() => page.engine.simulator.asKind(kind, inputNow(page))).value;
       if (made) page.choose(made.kind, made.document);
     });
     this.#buttons.set(kind, button);

@@ -74,7 +74,7 @@ function fileCommands(page) {
 function motionCommands(page) {
   const { store, model, drafts, history, engine } = page;
   const assemble = (/** @type {1 | 2} */ number) => {
-    const { value: change } = attempt(() => engine.assemble(number, inputNow(page)));
+    const { value: change } = attempt(() => engine.simulator.assemble(number, inputNow(page)));
     // A mechanism without this assembly stays as it is.
     if (change) history.step(() => take(change, page));
   };

@@ -38,7 +38,7 @@ function judged(value, text) {
   const size = text === undefined ? 0 : text.length - (typeof value.picture?.image === "string" ? value.picture.image.length : 0);
   if (size > MAX_LENGTH) return { value: null, problems: [{ code: "too_many_characters", size, max: MAX_LENGTH }] };
   return attempt(() => {
-    if (text !== undefined) engine.checkKeys(text);
+    if (text !== undefined) engine.functions.checkKeys(text);
     return engine.read(value);
   });
 }

@@ -11,12 +11,12 @@ import { titled, writtenLevel, written } from "assur/plots/units.js";
 import { moves } from "assur/state/model.js";
 
 /**
- * @typedef {import("assur/engine.js").Panel} Panel
- * @typedef {import("assur/engine.js").Listed} Listed
- * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/types/web.js").PanelLayout} Panel
+ * @typedef {import("assur/types/web.js").ListedSummary} Listed
+ * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/engine.js").Field | null }} Charted
+ * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null }} Charted
  */
 
 /** Time at rest before an announcement, in milliseconds. Values passed during a drag are not announced. */
@@ -181,7 +181,7 @@ function plots(snapshot, { panels, against }) {
 
 /**
  * @param {Panel} panel
- * @param {readonly import("assur/engine.js").Mark[]} marks of one curve
+ * @param {readonly import("assur/types/web.js").MarkLayout[]} marks of one curve
  * @param {Snapshot["coordinate"]} coordinate
  * @param {Words} words
  * @returns {string[]} texts on the least and the greatest value of the curve

@@ -28,7 +28,7 @@ function begin(t) {
 test("a new drawing, which does not move, leaves nothing said of the mechanism before", (t) => {
   const { page, said } = begin(t);
   assert.match(said("announcement"), /^Input angle 75\.0°/);
-  const { kind, document } = page.engine.blank();
+  const { kind, document } = page.engine.functions.blank();
   page.choose(kind, document);
   for (const id of ["announcement", "mechanism-description", "charts-description"]) assert.equal(said(id), "", id);
 });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
 import { lineOf } from "assur/app/notices.js";
-import { takeFile, takeForeign } from "assur/app/opening.js";
+import { isForeign, takeFile, takeForeign } from "assur/app/opening.js";
 import init from "assur/pkg/assur_web.js";
 import { newEngine } from "assur/tests/engine.js";
 import { LANGUAGES, wordsOf } from "assur/tests/words.js";
@@ -90,8 +90,8 @@ test("damaged ones are named, with the place of the damage", async () => {
 });
 
 test("only what is meant as another program's is taken for it", () => {
-  for (const text of [LINK, FIRST, read("jansen.linkage2"), LINK.slice(0, -12)]) assert.ok(engine.isForeign(text), text.slice(0, 60));
-  for (const text of ["", "some other text", "{\"format\":2}", "https://example.org/?2P", "[1,2]"]) assert.ok(!engine.isForeign(text), text);
+  for (const text of [LINK, FIRST, read("jansen.linkage2"), LINK.slice(0, -12)]) assert.ok(isForeign(text, engine), text.slice(0, 60));
+  for (const text of ["", "some other text", "{\"format\":2}", "https://example.org/?2P", "[1,2]"]) assert.ok(!isForeign(text, engine), text);
 });
 
 test("what does not move is opened as a drawing", async () => {
@@ -104,7 +104,7 @@ test("a text or file that is too large is refused, and the engine's memory does 
   const { memory } = await init();
   const before = memory.buffer.byteLength;
   const large = `<linkage2>${" ".repeat(100_000_000)}</linkage2>`;
-  assert.ok(engine.isForeign(large));
+  assert.ok(isForeign(large, engine));
   for (const { failure } of [await takeForeign(large, null, engine, habits), await takeFile(new File([large], "f.linkage2"), engine, habits)]) {
     assert.match(lineOf(failure, words), /too large/);
   }

@@ -28,6 +28,9 @@ const MAX_FILE = 20_000_000;
 /** Codes of problems with a file after which the notice also lists the kinds of file that can be opened. */
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
+/** Length to which texts of other programs are cut, as the engine's memory never shrinks. Texts so long are refused. */
+const MAX_FOREIGN = 2 ** 20 + 1;
+
 /** Greatest length of a title, in characters. */
 const MAX_TITLE = 400;
 
@@ -87,11 +90,11 @@ export async function takeFile(file, engine, habits) {
   const { name } = file;
   const problem = unfit(file);
   const text = problem ? "" : await file.text().catch(() => "");
-  if (engine.isForeign(text)) return takeForeign(text, name, engine, habits);
+  if (isForeign(text, engine)) return takeForeign(text, name, engine, habits);
   const unwrap = () => {
     if (problem) throw new Refusal([problem]);
     const value = fromFile(text);
-    engine.checkKeys(text);
+    engine.functions.checkKeys(text);
     return value;
   };
   const { state, failure } = await take("file", unwrap, engine, habits);
@@ -99,6 +102,15 @@ export async function takeFile(file, engine, habits) {
   const { problems } = failure;
   const told = OTHERS.includes(problems[0].code) ? [...problems, { code: "what_opens" }] : problems;
   return { state, failure: { ...failure, problems: told, name } };
+}
+
+/**
+ * @param {string} text
+ * @param {Engine} engine
+ * @returns {boolean} whether the text comes from another program
+ */
+export function isForeign(text, engine) {
+  return engine.functions.isImport(text.slice(0, MAX_FOREIGN));
 }
 
 /**
@@ -114,7 +126,7 @@ export async function takeForeign(text, name, engine, habits) {
   let lost = [];
   let from = name ?? "";
   const unwrap = () => {
-    const { read: { kind, document }, left_out } = engine.readForeign(text);
+    const { read: { kind, document }, left_out } = engine.functions.readImport(text.slice(0, MAX_FOREIGN));
     lost = left_out;
     if ("source" in document) from ||= document.source ?? "";
     const title = name && { title: name.replace(EXTENSION, "").slice(0, MAX_TITLE) };

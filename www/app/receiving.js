@@ -1,5 +1,5 @@
 // Content dropped on the page or pasted into it: files, and links or texts of other programs.
-import { takeFile, takeForeign } from "assur/app/opening.js";
+import { isForeign, takeFile, takeForeign } from "assur/app/opening.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
@@ -37,7 +37,7 @@ function bring(data, page, meant) {
     return true;
   }
   const text = data?.getData("text/plain") ?? "";
-  if (text === "" || !(meant || engine.isForeign(text))) return false;
+  if (text === "" || !(meant || isForeign(text, engine))) return false;
   page.take(takeForeign(text, null, engine, habits));
   return true;
 }

@@ -1,5 +1,5 @@
 // All motions of the shown linkage, found by a worker, which gets one question at a time, always the newest.
-import { compiledWasm } from "assur/engine.js";
+import { compiledWasm } from "assur/core/wasm.js";
 
 /**
  * @typedef {import("assur/types/web.js").MotionsMap} MotionsMap

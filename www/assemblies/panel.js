@@ -64,7 +64,7 @@ export class Assemblies {
     if (stale) return;
     this.#snapshot = snapshot;
     // A document that is not a linkage has no assemblies.
-    this.#here = (state.view.all_assemblies && attempt(() => this.#page.engine.assemblies(frameInput)).value) || null;
+    this.#here = (state.view.all_assemblies && attempt(() => this.#page.engine.simulator.assemblies(frameInput)).value) || null;
     this.element.hidden = !this.#here;
     if (!state.view.all_assemblies) this.#motions.close();
     if (!this.#here) return;
@@ -224,7 +224,7 @@ export class Assemblies {
     const snapshot = this.#snapshot;
     if (!here || !snapshot || k === here.shown || !here.all[k]) return;
     const { engine, history } = this.#page;
-    history.step(() => change(() => engine.assemble(here.all[k].number, snapshot.frameInput), "assembly", this.#page));
+    history.step(() => change(() => engine.simulator.assemble(here.all[k].number, snapshot.frameInput), "assembly", this.#page));
   }
 
   /**
@@ -234,11 +234,11 @@ export class Assemblies {
    */
   #choose(input, output) {
     const { engine, history } = this.#page;
-    const { value: here } = attempt(() => engine.assemblies(input));
+    const { value: here } = attempt(() => engine.simulator.assemblies(input));
     if (!here || here.all.length === 0) return;
     const off = (/** @type {number} */ angle) => Math.abs(Math.atan2(Math.sin(angle - output), Math.cos(angle - output)));
     const chosen = here.all.reduce((best, one) => (off(one.angle) < off(best.angle) ? one : best));
-    history.step(() => change(() => ({ ...engine.assemble(chosen.number, input), input }), "assembly", this.#page));
+    history.step(() => change(() => ({ ...engine.simulator.assemble(chosen.number, input), input }), "assembly", this.#page));
   }
 }
 

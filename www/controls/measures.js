@@ -235,7 +235,7 @@ export class Measures {
     if (!snapshot) return null;
     const { view } = this.#page.mechanism;
     const [left, top] = view.toModel(x, y);
-    const near = attempt(() => this.#page.engine.linkAt(snapshot.frameInput, left, top)).value;
+    const near = attempt(() => this.#page.engine.simulator.linkAt(snapshot.frameInput, left, top)).value;
     return near && near.off * view.scale < PICK_DISTANCE ? near.link : null;
   }
 }

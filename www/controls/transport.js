@@ -32,7 +32,7 @@ export class Transport {
   #box;
   /** @type {View | null} view shown by the controls */
   #view = null;
-  /** @type {import("assur/engine.js").Cycle | null} cycle shown by the scrubber */
+  /** @type {import("assur/types/web.js").CycleSummary | null} cycle shown by the scrubber */
   #cycle = null;
   /** Start of the scrubber's axis, in the reader's unit. */
   #start = 0;

@@ -55,7 +55,7 @@ export function toLine(point, line) {
 
 /**
  * Number of the moving assembly at the drawn input, with the count of all assemblies there, or of the known ones.
- * @param {Pick<import("assur/engine.js").MotionSummary, "assembled" | "home">} summary
+ * @param {Pick<import("assur/types/web.js").MotionSummary, "home"> & { readonly assembled?: import("assur/state/assembled.js").Assembled }} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} empty if the number is unknown

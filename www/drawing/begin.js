@@ -4,7 +4,7 @@ import { withView } from "assur/state/state.js";
 
 /** @param {import("assur/app/page.js").Page} page */
 export function newDrawing(page) {
-  const { kind, document } = page.engine.blank();
+  const { kind, document } = page.engine.functions.blank();
   page.choose(kind, document, [], () => ({ drawing: true, playing: false, lesson: null }));
 }
 

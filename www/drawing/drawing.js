@@ -152,7 +152,7 @@ export class Drawing {
     if (this.#selection.empty) return null;
     const { points, links } = this.#selection;
     const input = inputNow(this.#page);
-    return attempt(() => this.#page.engine.ask((simulator) => /** @type {Document} */ (simulator.part([...points], [...links], input)))).value;
+    return attempt(() => this.#page.engine.simulator.part([...points], [...links], input)).value;
   }
 
   /** @param {Document} drawing */

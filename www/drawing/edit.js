@@ -22,7 +22,7 @@ const FIELD = "edit";
 export function edit(page, wanted) {
   const { engine, store, model, drafts } = page;
   const input = inputNow(page);
-  const { value: drawn, problems } = attempt(() => engine.ask((simulator) => /** @type {Drawn} */ (simulator.edit(wanted, input))));
+  const { value: drawn, problems } = attempt(() => engine.simulator.edit(wanted, input));
   if (!drawn) {
     drafts.keep(FIELD, problems);
     return null;

@@ -11,7 +11,7 @@ import { Page } from "assur/tests/page.js";
 /** A page with an empty sheet. */
 function begin() {
   const page = new Page("mixer-a");
-  const { kind, document } = page.engine.blank();
+  const { kind, document } = page.engine.functions.blank();
   page.choose(kind, document);
   return page;
 }
@@ -171,6 +171,6 @@ test("of what is gone nothing stays selected; with a link all its points are", (
 test("a malformed edit names its fault", () => {
   const { engine } = begin();
   for (const [wanted, path] of [[null, "edit"], [{ edit: 5 }, "edit"], [{ edit: "nonsense" }, "edit"], [{ edit: "fix" }, "."], [{ edit: "fix", point: 5 }, "point"], [{ edit: "bar", ends: [{ at: [0, "x"] }, { at: [1, 1] }] }, "ends[0].at[1]"]]) {
-    assert.throws(() => engine.ask((simulator) => simulator.edit(wanted, 0)), ({ problems: [{ code, path: at }] }) => code === "bad_state" && at === path, path);
+    assert.throws(() => engine.simulator.edit(wanted, 0), ({ problems: [{ code, path: at }] }) => code === "bad_state" && at === path, path);
   }
 });

@@ -291,7 +291,7 @@ export class Hand {
   #link(at, touch) {
     const [x, y] = this.#view.toModel(at.x, at.y);
     const input = inputNow(this.#page);
-    const near = attempt(() => this.#page.engine.linkAt(input, x, y)).value;
+    const near = attempt(() => this.#page.engine.simulator.linkAt(input, x, y)).value;
     const reached = near && near.off * this.#view.scale <= PICK_DISTANCE.link[Number(touch)];
     return { link: reached ? near.link : null, wheel: near?.wheel ?? null };
   }

@@ -29,7 +29,7 @@ test("the panel of an empty sheet says that nothing is drawn, that of a bar that
   const page = new Page("crank-rocker");
   const rail = new DrawingRail(page, { points: new Set(), links: new Set() }, { remove() {}, duplicate() {}, mirror() {} });
   const section = globalThis.document.getElementById("rail").children.at(0);
-  const { kind, document: blank } = page.engine.blank();
+  const { kind, document: blank } = page.engine.functions.blank();
   page.store.update(() => initialState(kind, blank, { drawing: true }));
   const told = () => {
     rail.render(page.now(), page.store.get().document);

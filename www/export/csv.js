@@ -5,7 +5,7 @@ import { parseNumber } from "assur/core/numbers.js";
 import { calledWhole, isLength } from "assur/core/symbols.js";
 
 /**
- * @typedef {import("assur/engine.js").SweepTable} SweepTable
+ * @typedef {import("assur/types/web.js").SweepTable} SweepTable
  * @typedef {import("assur/state/coordinate.js").Coordinate} Coordinate
  * @typedef {SweepTable["columns"][number]} Column
  * @typedef {import("assur/core/words.js").Words} Words

@@ -102,7 +102,7 @@ function read(output) {
  * @param {import("assur/engine.js").Engine} engine
  */
 function foot(link, engine) {
-  const cells = engine.code(link);
+  const cells = engine.functions.qrCode(link);
   const parts = cells ? [code(cells)] : [];
   return make("footer", {}, [...parts, make("p", {}, [link])]);
 }

@@ -25,7 +25,7 @@ const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "high
  * @returns {Group[]}
  */
 export function groups(page, pictures, english) {
-  const shelves = page.engine.shelves();
+  const shelves = page.engine.functions.shelves();
   const kinds = [...new Set([...GROUPS, ...shelves.map(({ group }) => group)])];
   const mechanisms = kinds.map((kind) => {
     const key = `gallery.group.${kind}`;
@@ -36,7 +36,7 @@ export function groups(page, pictures, english) {
 }
 
 /**
- * @param {import("assur/engine.js").Shelf} shelf
+ * @param {import("assur/types/file.js").Shelf} shelf
  * @param {string} group
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures

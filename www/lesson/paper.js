@@ -8,7 +8,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
 /**
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
- * @typedef {import("assur/engine.js").Relation} Relation
+ * @typedef {import("assur/types/web.js").RelationHere} Relation
  * @typedef {Readonly<{ item: string, step: string, verdict: string, printed: readonly string[], instead: readonly string[], shown: boolean }>} Item
  * An item of `paper.json`. `item`: its id. `step`: id of the step that it belongs to. `verdict`: whether it holds.
  * `printed`, `instead`: formulas as printed, and correct formulas; the build has converted both to MathML.
@@ -47,7 +47,7 @@ export class Paper {
   fold = make("details", { id: "lesson-paper" }, [this.#summary, this.#rows]);
 
   /**
-   * @param {Pick<import("assur/engine.js").Engine, "ask">} engine
+   * @param {Pick<import("assur/engine.js").Engine, "simulator">} engine
    * @param {Printed} printed
    */
   constructor(engine, { items, main }) {
@@ -97,7 +97,7 @@ export class Paper {
     if (this.#numbers.length === 0 || this.#written.same(summary, input, stale, problems.length, withheld)) return;
     // While read-outs are withheld, only numbers that do not give the answer away are shown.
     const told = stale ? [] : known(this.#numbers, withheld);
-    const asked = told.length === 0 ? null : attempt(() => this.#engine.ask((simulator) => /** @type {Relation[]} */ (simulator.relations(input)))).value;
+    const asked = told.length === 0 ? null : attempt(() => this.#engine.simulator.relations(input)).value;
     const words = this.#words;
     if (!words) return;
     for (const one of this.#numbers) {

@@ -129,13 +129,12 @@ function seenOf(task, number, engine) {
  */
 function seenIn(state, place, engine) {
   return engine.beside((other) => {
-    /** @type {import("assur/engine.js").Summary & { bounds: readonly number[] }} */
     const summary = other.set(alone(state));
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
     const frameInput = coordinate ? coordinate.input(place ?? coordinate.of(state)) : 0;
     const { frame } = engine.placeOf(other, frameInput);
     const readouts = coordinate && engine.readoutsOf(other, frameInput);
-    return { state, summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: /** @type {Words["lengths"]} */ (other.lengths()) };
+    return { state, summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: other.lengths() };
   });
 }
 

@@ -6,7 +6,7 @@ import { SWITCHES, contains, initialState } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/lesson/folder.js").OwnPresets} OwnPresets
  * @typedef {import("assur/lesson/folder.js").Show} Show
  * @typedef {import("assur/lesson/folder.js").Whole} Whole
@@ -34,7 +34,7 @@ export function opens({ preset }, presets, engine) {
  */
 export function open(show, presets, page, view = {}) {
   const whole = opens(show, presets, page.engine);
-  if (whole) page.choose(whole.kind, whole.document, edits(show, whole.document, page.engine), (summary) => ({ ...looked(show, summary), ...view }));
+  if (whole) page.choose(whole.kind, whole.document, edits(show, whole.document, page.engine.simulator), (summary) => ({ ...looked(show, summary), ...view }));
   return whole !== undefined;
 }
 
@@ -52,7 +52,6 @@ export function holds(show, presets, engine) {
     if (!show.set && !show.drive) return contains(state, whole);
     // The preset gets the same edits here as in `open`.
     const document = attempt(() => engine.beside((other) => edits(show, whole.document, other).reduce((now, { asked }) => {
-      /** @type {Summary} */
       const summary = other.set(initialState(whole.kind, now, {}));
       return /** @type {Whole["document"]} */ ({ ...now, ...asked(summary.moves === null ? 0 : summary.home).document });
     }, whole.document))).value;
@@ -63,16 +62,16 @@ export function holds(show, presets, engine) {
 /**
  * @param {Show} show
  * @param {Whole["document"]} document document of the preset
- * @param {Pick<Engine, "setDimension" | "drive">} engine
+ * @param {Pick<import("assur/pkg/assur_web.js").Simulator, "setDimension" | "drive">} simulator
  * @returns {import("assur/state/change.js").Edit[]} edits that turn the preset into the document to open
  */
-function edits({ set = {}, drive }, document, engine) {
+function edits({ set = {}, drive }, document, simulator) {
   /** @type {import("assur/state/change.js").Edit[]} */
   const all = Object.entries(set).map(([name, value]) => {
     const field = fieldOf(name, document);
-    return { asked: (home) => engine.setDimension(field, value, home), field };
+    return { asked: (home) => simulator.setDimension(field, value, home), field };
   });
-  if (drive !== undefined) all.push({ asked: (home) => engine.drive(drive, home), field: "drivers" });
+  if (drive !== undefined) all.push({ asked: (home) => simulator.drive(drive, home), field: "drivers" });
   return all;
 }
 

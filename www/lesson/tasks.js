@@ -5,11 +5,11 @@ import { ownNumbers, valueIn } from "assur/lesson/chance.js";
 import { withNumber } from "assur/lesson/field.js";
 import { W, isAngle } from "assur/lesson/quantity.js";
 import { Coordinate } from "assur/state/coordinate.js";
-import { initialState, withDocument } from "assur/state/state.js";
+import { alone, initialState, withDocument } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/state/state.js").Written} Written
@@ -54,7 +54,7 @@ export function taskOf(lesson, index, name, engine) {
   const state = initialState(kind, document, { ...RESTING, ...view });
   if (vary.length === 0 || name.trim() === "") return { state, own: [] };
   const next = ownNumbers(name, at);
-  const followed = new Set((attempt(() => engine.numbers(state)).value ?? []).filter((one) => one.followed).map(({ field }) => field));
+  const followed = new Set((attempt(() => engine.functions.numbersOf(alone(state))).value ?? []).filter((one) => one.followed).map(({ field }) => field));
   return engine.beside((other) => {
     for (let tries = 0; tries < TRIES; tries++) {
       const own = vary.map((range) => ({ field: range.field, value: valueIn(range, next()) }));
@@ -73,12 +73,10 @@ export function taskOf(lesson, index, name, engine) {
  * @returns {State | null} the state with these numbers; null if they make a full cycle a limited motion or vice versa
  */
 function withOwn(state, own, followed, other) {
-  /** @type {Summary} */
   const first = other.set(state);
   // Numbers that the engine only stores are set together, so that the mechanism is built once for all of them.
   const written = own.filter(({ field }) => !followed.has(field));
   let now = withDocument(state, written.reduce((document, { field, value }) => withNumber(document, field, value), state.document));
-  /** @type {Summary} */
   let summary = now === state ? first : other.set(now);
   for (const { field, value } of own) {
     if (!followed.has(field)) continue;
@@ -125,7 +123,6 @@ export function answerOf(lesson, index, name, engine) {
   const task = quantity ? taskOf(lesson, index, name, engine) : null;
   if (!task || !quantity) return null;
   return engine.beside((other) => taken(() => {
-    /** @type {Summary} */
     const summary = other.set(task.state);
     if (summary.moves === null) return valueOf(quantity, { summary, place: 0, readouts: null });
     const coordinate = coordinateOf(summary);

@@ -213,7 +213,7 @@ test("a question of each sort is recognised by its parts, and the engine takes i
   for (const [sort, make] of Object.entries(QUESTIONS)) {
     const question = make("?", undefined, "F.y");
     assert.equal(sortOf(question), sort);
-    engine.readLesson({ title: "", steps: [{ title: "", text: "", shows: { kind: jansen.kind, document: jansen.document }, ...(question && { question }) }] });
+    engine.functions.readLesson({ title: "", steps: [{ title: "", text: "", shows: { kind: jansen.kind, document: jansen.document }, ...(question && { question }) }] });
   }
   assert.equal(sortOf(null), "none");
 });
@@ -245,11 +245,11 @@ test("a lesson that is none is refused by its place", () => {
 });
 
 test("every number that stands beside a drawing can be varied", () => {
-  const fields = engine.numbers(stateOf(engine, "mixer-a")).map(({ field }) => field);
+  const fields = engine.functions.numbersOf(stateOf(engine, "mixer-a")).map(({ field }) => field);
   assert.deepEqual(fields, ["l1", "l2", "l3", "l4", "z4", "module", "wheels[0].z", "wheels[0].centre_line_deg"]);
   for (const { id } of engine.catalogue) {
     const state = stateOf(engine, id);
-    for (const { field, value } of engine.numbers(state)) assert.ok(Number.isFinite(value), `${id} ${field}`);
+    for (const { field, value } of engine.functions.numbersOf(state)) assert.ok(Number.isFinite(value), `${id} ${field}`);
   }
   assert.equal(parseNumber(words.numbers.exact(0.0165)), 0.0165);
 });

@@ -20,7 +20,7 @@ export const WRITTEN_HERE = "written-here";
  * @returns {string} digest that identifies the lesson, whatever the notation of its file
  */
 export function digestOf(lesson, engine) {
-  return digest(attempt(() => engine.readLesson(lesson)).value ?? lesson);
+  return digest(attempt(() => engine.functions.readLesson(lesson)).value ?? lesson);
 }
 
 /**

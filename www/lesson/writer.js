@@ -160,7 +160,7 @@ export class Writer {
     const state = store.get();
     if (!state.lesson) return false;
     const next = change(state.lesson, indexOf(state));
-    const { problems } = attempt(() => engine.readLesson(next));
+    const { problems } = attempt(() => engine.functions.readLesson(next));
     write(this.#said, problems.map((problem) => sentence(problem, this.#words)).join(" "));
     if (problems.length > 0) return false;
     store.update((now) => withFurther(now, { lesson: next }));

@@ -6,8 +6,8 @@ import { setChartFont } from "assur/plots/text.js";
 import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
 
 /**
- * @typedef {import("assur/engine.js").Field} Field
- * @typedef {import("assur/engine.js").FieldAxis} Axis
+ * @typedef {import("assur/types/web.js").AgainstLayout} Field
+ * @typedef {import("assur/types/web.js").AxisLayout} Axis
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ x: number, y: number, input: number, off: number }} Near point of the curve; `off`: its distance from the pointer in pixels

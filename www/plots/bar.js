@@ -12,7 +12,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/engine.js").MotionSummary["transmissions"][number]} Transmission
+ * @typedef {import("assur/types/web.js").MotionSummary["transmissions"][number]} Transmission
  */
 
 /** @type {readonly Transmission[]} */
@@ -152,7 +152,7 @@ export class PlotBar {
  */
 function measure(name, words) {
   const dot = name.lastIndexOf(".");
-  const what = /** @type {import("assur/engine.js").Listed["what"]} */ (name.slice(dot + 1));
+  const what = /** @type {import("assur/types/web.js").ListedSummary["what"]} */ (name.slice(dot + 1));
   return whose({ what, of: [name.slice(0, dot)] }, words);
 }
 

@@ -8,7 +8,7 @@ import { drawChartText } from "assur/plots/text.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/plots/marks.js").Box} Box
@@ -26,7 +26,7 @@ export class ChartView {
   #drawn = "";
   /** @type {readonly Panel[]} */
   panels = [];
-  /** @type {import("assur/engine.js").Field | null} plot of one quantity against another, instead of the panels */
+  /** @type {import("assur/types/web.js").AgainstLayout | null} plot of one quantity against another, instead of the panels */
   against = null;
   /** @type {readonly (readonly Box[])[]} boxes of the labels of each panel */
   labels = [];

@@ -12,7 +12,7 @@ import { written } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
- * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
  */
@@ -38,7 +38,7 @@ export class ChartCursor {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {import("assur/canvas/theme.js").Theme} theme
-   * @param {{ readonly panels: readonly Panel[], readonly against: import("assur/engine.js").Field | null, readonly labels: readonly (readonly Box[])[] }} chart
+   * @param {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null, readonly labels: readonly (readonly Box[])[] }} chart
    * @param {import("assur/engine.js").Engine} engine
    */
   constructor(canvas, theme, chart, engine) {
@@ -67,7 +67,7 @@ export class ChartCursor {
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
     const hovered = this.#hovered;
-    const ghost = hovered === null ? null : attempt(() => this.#engine.plotted(hovered)).value;
+    const ghost = hovered === null ? null : attempt(() => this.#engine.simulator.plotted(hovered)).value;
     const { panels, against, labels } = this.#chart;
     if (against) {
       const { context } = this.#surface;

@@ -41,7 +41,7 @@ export class Curvature {
       this.#body.replaceChildren();
       return;
     }
-    const { value } = attempt(() => this.#engine.ask((simulator) => /** @type {Here} */ (simulator.curvature(frameInput))));
+    const { value } = attempt(() => this.#engine.simulator.curvature(frameInput));
     this.#body.replaceChildren(...rows(value ?? NOTHING, words));
   }
 }

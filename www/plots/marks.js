@@ -5,8 +5,8 @@ import { setChartFont } from "assur/plots/text.js";
 import { written } from "assur/plots/units.js";
 
 /**
- * @typedef {import("assur/engine.js").Mark} Mark
- * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/types/web.js").MarkLayout} Mark
+ * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */

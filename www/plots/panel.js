@@ -1,6 +1,6 @@
 // Conversion between pixels and values in a panel of the chart, by the layout that the engine returns.
 
-/** @typedef {import("assur/engine.js").Panel} Panel */
+/** @typedef {import("assur/types/web.js").PanelLayout} Panel */
 
 /**
  * @param {Panel} panel

@@ -8,7 +8,7 @@ import { written } from "assur/plots/values.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {import("assur/engine.js").Listed} Listed
+ * @typedef {import("assur/types/web.js").ListedSummary} Listed
  * @typedef {import("assur/core/words.js").Words} Words
  */
 

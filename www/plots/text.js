@@ -7,7 +7,7 @@ import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "ass
 
 /**
  * @typedef {import("assur/plots/marks.js").Box} Box
- * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/coordinate.js").Coordinate} Coordinate

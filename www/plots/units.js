@@ -3,7 +3,7 @@ import { degrees } from "assur/core/angles.js";
 import { powerOfTen } from "assur/core/numbers.js";
 import { unitOfRate } from "assur/core/units.js";
 
-/** @typedef {import("assur/engine.js").Panel} Panel */
+/** @typedef {import("assur/types/web.js").PanelLayout} Panel */
 /** @typedef {Pick<Panel, "kind" | "order" | "physical" | "y0" | "y1">} Scale scale of a panel, or of any axis */
 
 /** Limits of an axis's largest value. Beyond them, its numbers are written with a power of ten such as 10³ or 10⁻³. */

@@ -8,7 +8,7 @@ const HUGE = 1e6;
 
 /**
  * @param {number} value from the engine
- * @param {import("assur/engine.js").Listed["what"]} what quantity
+ * @param {import("assur/types/web.js").ListedSummary["what"]} what quantity
  * @param {number} order of the derivative
  * @param {import("assur/core/words.js").Words} words
  * @returns {{ value: number, text: string }} the value, with angles in degrees, and its text

@@ -68,7 +68,7 @@ export class Polygons {
     this.#here = null;
     this.element.hidden = !state.view.polygons;
     if (this.element.hidden) return;
-    const { value, problems } = attempt(() => this.#page.engine.polygons(frameInput, this.#shown));
+    const { value, problems } = attempt(() => this.#page.engine.simulator.polygons(frameInput, this.#shown));
     this.#here = value;
     // A document that is not a linkage has no polygons at any input.
     this.element.hidden = problems.some(({ code }) => code === NO_LINKAGE);
@@ -100,7 +100,7 @@ export class Polygons {
     this.#back.disabled = at <= 1;
     const physical = state.view.axes === "physical";
     // Units as on plots of lengths; the range from −1 to 1 avoids a power of ten.
-    const panels = [1, 2].map((order) => /** @type {import("assur/engine.js").Panel} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
+    const panels = [1, 2].map((order) => /** @type {import("assur/types/web.js").PanelLayout} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
     const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
     this.#sheets.forEach(({ canvas, title, scale }, order) => {
       const said = titled(panels[order], coordinate, words);

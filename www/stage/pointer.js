@@ -193,7 +193,7 @@ export class MechanismPointer {
 
   /** @param {string} name of a handle that is pressed but not dragged */
   #press(name) {
-    const change = attempt(() => this.#engine.press(name)).value;
+    const change = attempt(() => this.#engine.simulator.press(name)).value;
     if (change) take(change, this.#page);
   }
 
@@ -210,7 +210,7 @@ export class MechanismPointer {
    */
   #put(at) {
     const [x, y] = this.#view.view.toModel(at.x, at.y);
-    const put = attempt(() => this.#engine.trace(inputNow(this.#page), x, y)).value;
+    const put = attempt(() => this.#engine.simulator.trace(inputNow(this.#page), x, y)).value;
     if (!put || !take(put, this.#page)) return null;
     this.trace(false);
     const { tracers } = put.document;
@@ -224,7 +224,7 @@ export class MechanismPointer {
    */
   #drag({ name, dx, dy }, at) {
     const [x, y] = this.#view.view.toModel(at.x + dx, at.y + dy);
-    const change = attempt(() => this.#engine.drag(name, inputNow(this.#page), x, y)).value;
+    const change = attempt(() => this.#engine.simulator.drag(name, inputNow(this.#page), x, y)).value;
     if (!change) return;
     if (change.document || change.input === undefined) take(change, this.#page);
     else this.#page.drive(this.#model.coordinate.place(change.input));

@@ -4,13 +4,13 @@ import { PARTS, edited, withDocument, withFurther, withMechanism, withView } fro
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ asked: (home: number) => import("assur/engine.js").Changed, field: string }} Edit edit of a document. `asked`: the request to
+ * @typedef {{ asked: (home: number) => import("assur/types/web.js").Changed, field: string }} Edit edit of a document. `asked`: the request to
  * the engine, given the drawn input; `field`: the field of the page that shows the reason for a refusal
  * @typedef {Extract<keyof import("assur/state/state.js").Documents, "linkage" | "draft">} TracedKind
  */
 
 /**
- * @param {import("assur/engine.js").Changed} change
+ * @param {import("assur/types/web.js").Changed} change
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
  * @returns {boolean} whether the change was taken. After a refused state the previous drawing is still shown; a drag on
  * it does not change a document of another kind.
@@ -30,7 +30,7 @@ export function take({ document, input }, { store, model, drafts }) {
 
 /**
  * Takes a change from the engine, or shows the reason for the engine's refusal.
- * @param {() => import("assur/engine.js").Changed} asked request to the engine, which already has the state
+ * @param {() => import("assur/types/web.js").Changed} asked request to the engine, which already has the state
  * @param {string} field that shows the reason for a refusal
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
  */
@@ -71,7 +71,7 @@ export function inputNow({ store, model }) {
  * @param {State["kind"]} kind
  * @param {State["document"]} document of that kind
  * @param {readonly Edit[]} edits changes that the engine makes to the document
- * @param {(summary: import("assur/engine.js").Summary | null) => Partial<State["view"]>} look returns the view, given the engine's summary,
+ * @param {(summary: import("assur/types/web.js").Summary | null) => Partial<State["view"]>} look returns the view, given the engine's summary,
  * which is null if the engine refuses the document
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts" | "history" | "mechanism">} page
  */

@@ -3,7 +3,7 @@ import { Seen } from "assur/core/seen.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Summary} Summary
+ * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
  * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float64Array, readouts: import("assur/engine.js").Readouts | null }} Beside

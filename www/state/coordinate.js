@@ -39,7 +39,7 @@ export class Coordinate {
 
   /**
    * @param {"angle" | "length" | "time"} moves
-   * @param {import("assur/engine.js").Cycle} cycle range of the input, in the engine's unit
+   * @param {import("assur/types/web.js").CycleSummary} cycle range of the input, in the engine's unit
    * @param {string} [number] number of the link in the symbol
    */
   constructor(moves, cycle, number = "1") {

@@ -47,13 +47,13 @@ import { DRAWN, PARTS } from "assur/state/state.js";
 
 /**
  * Kinds of documents that have an input.
- * @typedef {{ [K in Kind]: import("assur/engine.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
+ * @typedef {{ [K in Kind]: import("assur/types/web.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
  */
 
 /**
  * The drawn mechanism: its kind and the engine's summary.
  * @template {Kind} [K=Moving]
- * @typedef {K extends Kind ? { kind: K, summary: import("assur/engine.js").Summaries[K] } : never} Drawn
+ * @typedef {K extends Kind ? { kind: K, summary: import("assur/types/web.js").Summaries[K] } : never} Drawn
  */
 
 /**
@@ -124,7 +124,7 @@ export class Model {
     this.#engine = engine;
     this.#drafts = drafts;
     this.#drawn = drawn(engine, state);
-    this.#scene = engine.scene();
+    this.#scene = engine.simulator.scene();
     this.#coordinate = this.#counted();
     this.#here = engine.at(this.home);
     this.#frameInput = this.home;
@@ -134,7 +134,7 @@ export class Model {
     this.#place(state);
   }
 
-  /** @returns {import("assur/engine.js").Summary} */
+  /** @returns {import("assur/types/web.js").Summary} */
   get summary() {
     return this.#drawn.summary;
   }
@@ -253,7 +253,7 @@ export class Model {
 
   /** @param {State} state */
   #take(state) {
-    const taken = attempt(() => ({ drawn: drawn(this.#engine, state), scene: this.#engine.scene() }));
+    const taken = attempt(() => ({ drawn: drawn(this.#engine, state), scene: this.#engine.simulator.scene() }));
     this.#refused = taken.problems;
     if (!taken.value) return;
     this.#drawn = taken.value.drawn;
@@ -267,7 +267,7 @@ export class Model {
     const input = this.summary.moves ? this.#coordinate.input(this.#coordinate.of(state)) : this.#opened;
     const { value: here, problems } = attempt(() => this.#engine.at(input));
     this.#unplaced = problems;
-    this.#unread = here && !here.readouts ? this.#engine.why(input) : [];
+    this.#unread = here && !here.readouts ? this.#engine.simulator.why(input) : [];
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
     this.#compared = this.#engine.compared(input);

@@ -168,13 +168,13 @@ test("what the engine changes of a document is taken, with the place of the inpu
   const page = { store, model, drafts };
   const [field] = now().summary.dimensions.filter(({ kind }) => kind === "length").map((one) => one.field);
   drafts.keep(field);
-  change(() => engine.setDimension(field, 16, inputNow(page)), field, page);
+  change(() => engine.simulator.setDimension(field, 16, inputNow(page)), field, page);
   assert.equal(drafts.has(field), false);
   const { summary, problems } = now();
   assert.deepEqual(problems, []);
   assert.ok(Math.abs(summary.dimensions.find((one) => one.field === field).value - 16) < 1e-9);
   // What is refused stands in the field.
-  change(() => engine.setDimension(field, 1e6, inputNow(page)), field, page);
+  change(() => engine.simulator.setDimension(field, 1e6, inputNow(page)), field, page);
   assert.ok(drafts.has(field));
   assert.ok(drafts.problems[0].code !== "not_a_number");
   // A hand on a drawing of another kind changes nothing.
@@ -191,7 +191,7 @@ test("any drag of any handle gives a mechanism that the engine takes, or is refu
       const { summary, handles, bounds = summary.bounds } = now();
       const at = dice.below(summary.handles.length);
       const [x, y] = [handles[2 * at] + dice.between(-0.1, 0.1) * (bounds[2] - bounds[0]), handles[2 * at + 1] + dice.between(-0.1, 0.1) * (bounds[3] - bounds[1])];
-      change(() => engine.drag(summary.handles[at].name, inputNow(page), x, y), "drag", page);
+      change(() => engine.simulator.drag(summary.handles[at].name, inputNow(page), x, y), "drag", page);
       model.follow(store.get());
       assert.ok(model.sound, JSON.stringify(now().problems));
       drafts.drop("drag");

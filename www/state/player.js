@@ -31,10 +31,11 @@ export class Player {
     // If the mechanism cannot be assembled at this input, the motion starts at the drawn input.
     const { coordinate } = model;
     const from = model.placed ? coordinate.input(coordinate.of(state)) : model.home;
-    const moved = attempt(() => engine.advance(from, this.#sense * view.direction * coordinate.pace(view) * dt));
-    if (!moved.value) return withView(state, { playing: false });
-    if (moved.value.sign < 0) this.#sense = -this.#sense;
-    return coordinate.put(state, coordinate.place(moved.value.input));
+    const { value: moved } = attempt(() => engine.simulator.advance(from, this.#sense * view.direction * coordinate.pace(view) * dt));
+    if (!moved) return withView(state, { playing: false });
+    const [input, sense] = moved;
+    if (sense < 0) this.#sense = -this.#sense;
+    return coordinate.put(state, coordinate.place(input));
   }
 }
 

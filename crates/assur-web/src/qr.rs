@@ -4,7 +4,7 @@ use qrcodegen::{QrCode, QrCodeEcc};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Cells of the QR code of a text, row by row; 1 is dark. None if the text is too long.
-#[wasm_bindgen]
+#[wasm_bindgen(js_name = qrCode)]
 pub fn qr_code(text: &str) -> Option<Vec<u8>> {
     let code = QrCode::encode_text(text, QrCodeEcc::Low).ok()?;
     let side = 0..code.size();

@@ -208,9 +208,7 @@ impl Simulator {
     ///
     /// # Errors
     /// The reason why there is no pose; no link to trace.
-    #[wasm_bindgen(
-        unchecked_return_type = "Required<Pick<Changed<Fields<\"linkage\" | \"mixer\">>, \"document\">>"
-    )]
+    #[wasm_bindgen(unchecked_return_type = "Traced")]
     pub fn trace(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.trace(input, place(x, y)?);
         Ok(change.map_err(one)?.into_js())

@@ -36,7 +36,7 @@ export class LoadView {
     this.#loaded.addEventListener("change", () => this.#load(this.#loaded.checked));
     this.#span = new NumberRow({ field: "span_s", symbol: "t", role: "secondary" }, drafts, (value) => store.update((state) => edited(state, "gear-train", () => ({ span_s: value }))));
     this.#pull = new NumberRow({ field: "load", key: "load", symbol: "T", role: "rocker", slider: { min: 0, max: 10, step: 0.1 } }, drafts, (value) =>
-      change(() => engine.setDimension("load", value, inputNow(page)), "load", page));
+      change(() => engine.simulator.setDimension("load", value, inputNow(page)), "load", page));
     this.#account = make("details", { id: "train-energies" }, [
       make("summary", { "data-t": "energy.heading" }), make("table", { class: "solutions", "data-t-label": "energy.heading" }, [this.#energies]),
     ]);

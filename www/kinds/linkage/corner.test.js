@@ -15,7 +15,7 @@ test("an angle that is set the shorter way round is refused by the way that it w
   const { home } = engine.set(initialState("linkage", document, {}));
   // From 27° these are −110° and 160°.
   for (const [angle, refused, wound] of [[250, "too_small", -110], [-200, "too_large", 160], [-110, "too_small", -110], [160, "too_large", 160]]) {
-    assert.throws(() => engine.setDimension("links[1].corner_deg[2]", angle, home), ({ problems: [{ code, by, last }] }) => {
+    assert.throws(() => engine.simulator.setDimension("links[1].corner_deg[2]", angle, home), ({ problems: [{ code, by, last }] }) => {
       assert.equal(code, refused, String(angle));
       assert.ok(Math.abs(Math.abs(wound - last) - by) < 1e-9, `${wound} ${last} ${by}`);
       return true;

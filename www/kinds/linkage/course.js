@@ -11,8 +11,8 @@ import { setChartFont } from "assur/plots/text.js";
 import { withDocument } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/engine.js").Profile} Profile
- * @typedef {import("assur/engine.js").Panel} Panel
+ * @typedef {import("assur/types/web.js").ProfileSummary} Profile
+ * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/plots/marks.js").Box} Box
@@ -41,7 +41,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
   const dwell = profile?.dwell;
   if (!band || !dwell || (plots?.[0] ?? plotted[0]) !== plotted[0]) return [];
   return panels.map((panel) => {
-    const value = (/** @type {number} */ phi) => attempt(() => engine.plotted(phi)).value?.[panel.order];
+    const value = (/** @type {number} */ phi) => attempt(() => engine.simulator.plotted(phi)).value?.[panel.order];
     return paintDwell(context, panel, dwell, cycle, value, words, theme);
   });
 }

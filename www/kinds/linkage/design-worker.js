@@ -9,7 +9,7 @@ addEventListener("message", ({ data }) => {
   else goOn();
 });
 
-/** @param {{ wasm: WebAssembly.Module, state: object, wishes: object }} task the compiled engine, and the arguments of its `Design` */
+/** @param {{ wasm: WebAssembly.Module, state: import("assur/types/web.js").State, wishes: import("assur/types/web.js").Wishes }} task the compiled engine, and the arguments of its `Design` */
 async function search({ wasm, state, wishes }) {
   try {
     await load({ module_or_path: wasm });

@@ -5,7 +5,7 @@ import { degrees, radians } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
-import { compiledWasm } from "assur/engine.js";
+import { compiledWasm } from "assur/core/wasm.js";
 import { withDocument } from "assur/state/state.js";
 
 /**

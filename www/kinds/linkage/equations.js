@@ -8,7 +8,7 @@ import { Seen } from "assur/core/seen.js";
 /**
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/engine.js").Equation} Equation
+ * @typedef {import("assur/types/web.js").EquationSummary} Equation
  * a constraint, by `kind`. `distance`: a link and its points P, Q. `offset`: a sliding link, its point and the line PQ.
  * `direction`: two links at a constant angle. `mesh`: two wheels, their carrier and numbers of teeth; the second number
  * is negative if both wheels rotate in the same sense
@@ -82,7 +82,7 @@ export class EquationsView {
     const order = Number(this.#order.value);
     this.#build(summary.equations, order, words);
     if (stale || this.#written.same(summary, order, input, words, problems.length)) return;
-    const { value: sides } = attempt(() => this.#engine.ask((simulator) => simulator.equations(input, order)));
+    const { value: sides } = attempt(() => this.#engine.simulator.equations(input, order));
     summary.equations.forEach(({ kind }, row) => {
       const angle = order === 0 && (kind === "direction" || kind === "mesh");
       SIDES.forEach((side, column) => {

@@ -8,7 +8,7 @@ import { sourceOf } from "assur/core/titles.js";
 import { change, inputNow } from "assur/state/change.js";
 
 /**
- * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/types/web.js").LinkageSummary} Summary
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */
@@ -41,7 +41,7 @@ export class LinkageRail {
   constructor(page) {
     const { engine } = page;
     this.#page = page;
-    this.#driver.addEventListener("change", () => this.#change((input) => engine.drive(this.#driver.value, input)));
+    this.#driver.addEventListener("change", () => this.#change((input) => engine.simulator.drive(this.#driver.value, input)));
     const section = (/** @type {string} */ key, /** @type {HTMLElement} */ content) =>
       make("section", { "data-of": "linkage" }, [make("h2", { "data-t": key }), content]);
     const sections = [
@@ -72,7 +72,7 @@ export class LinkageRail {
   }
 
   /**
-   * @param {(input: number) => import("assur/engine.js").Changed} asked request to the engine, called with the current input
+   * @param {(input: number) => import("assur/types/web.js").Changed} asked request to the engine, called with the current input
    * @param {string} [field] field that shows the reason if the engine refuses
    */
   #change(asked, field = "drivers") {
@@ -88,7 +88,7 @@ export class LinkageRail {
     this.#rows = dimensions.map((dimension) => this.#row(dimension, words));
     this.#further = rates.map(({ field, link, role }, i) => {
       const kind = { field, id: `rate-${i + 2}`, key: "drivers.rate", n: called(link, words), symbol: "u", role };
-      return new NumberRow(kind, this.#page.drafts, (value) => this.#change((input) => this.#page.engine.setDimension(field, value, input), field));
+      return new NumberRow(kind, this.#page.drafts, (value) => this.#change((input) => this.#page.engine.simulator.setDimension(field, value, input), field));
     });
     for (const { element } of [...this.#rows, ...this.#further]) words.fill(element);
     this.#rates.replaceChildren(...this.#further.map(({ element }) => element));
@@ -100,7 +100,7 @@ export class LinkageRail {
   }
 
   /**
-   * @param {import("assur/engine.js").Dimension} dimension
+   * @param {import("assur/types/web.js").DimensionSummary} dimension
    * @param {Words} words
    */
   #row({ field, kind, index, name, points, role, min, max, step }, words) {
@@ -115,6 +115,6 @@ export class LinkageRail {
     const n = by(isOffset ? [toLine(point, line)] : kind === "length" ? [] : points);
     const beside = symbol === plain ? n : isOffset ? between(line) : by([]);
     const row = { field, id, key, symbol, n, name: beside, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
-    return new NumberRow(row, drafts, (value) => this.#change((input) => engine.setDimension(field, value, input), field));
+    return new NumberRow(row, drafts, (value) => this.#change((input) => engine.simulator.setDimension(field, value, input), field));
   }
 }

@@ -77,7 +77,7 @@ test("a length of a doubled link is set on both links", () => {
   for (const field of ["links[1].length", "links[3].length"]) {
     for (const ends of ["BC", "CB"]) {
       const { home } = engine.set(initialState("linkage", four(PLACES["crank-rocker"], { ...LINKS, double: ends }), {}));
-      const { document } = engine.setDimension(field, 3, home);
+      const { document } = engine.simulator.setDimension(field, 3, home);
       for (const link of [1, 3]) assert.ok(Math.abs(document.links[link].length - 3) < 1e-12, `${field} ${ends}: ${document.links[link].length}`);
     }
   }

@@ -4,7 +4,7 @@ import { degrees } from "assur/core/angles.js";
 import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
 
 /**
- * @typedef {import("assur/engine.js").MixerSummary} Summary
+ * @typedef {import("assur/types/web.js").MixerSummary} Summary
  * @typedef {import("assur/state/model.js").OwnSnapshot<"mixer">} Snapshot
  * @typedef {import("assur/state/state.js").State<"mixer">} State
  * @typedef {import("assur/core/words.js").Words} Words
@@ -56,7 +56,7 @@ export function mixerStatus() {
 }
 
 /**
- * @param {readonly (import("assur/engine.js").Swing | null)[]} swings one for every arc of the cycle
+ * @param {readonly (import("assur/types/web.js").Between | null)[]} swings one for every arc of the cycle
  * @param {Words} words
  * @returns {Entry}
  */

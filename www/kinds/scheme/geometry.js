@@ -51,7 +51,7 @@ export class GeometryView {
       const n = i + 1;
       const said = changes.map(({ pair, kind }) => words.text("replace.change", { pair, kind: words.text(`pair.${kind}`) })).join("; ");
       const take = make("button", { id: `mended-${n}`, class: "control", type: "button", "aria-label": `${words.text("replace.take")}: ${said}` }, [words.text("replace.take")]);
-      take.addEventListener("click", () => change(() => this.#page.engine.setDimension("mended", n, 0), "pairs", this.#page));
+      take.addEventListener("click", () => change(() => this.#page.engine.simulator.setDimension("mended", n, 0), "pairs", this.#page));
       return make("li", {}, [make("span", {}, [said]), take]);
     });
     const said = words.text(rows.length > 0 ? "replace.said" : "replace.none");

@@ -79,7 +79,7 @@ export class PracticeView {
     const before = "task" in document ? document.task : null;
     let number = Math.floor(Math.random() * TASKS);
     if (number === before) number = (number + 1) % TASKS;
-    const { kind, document: task } = engine.task(number);
+    const { kind, document: task } = engine.functions.task(number);
     this.#page.choose(kind, task);
   }
 

@@ -35,7 +35,7 @@ export class FamilyView {
       store.update((state) => edited(state, "synthesis", () => ({ member, trial: null })));
     });
     const kind = { field: "output", symbol: "l₂", role: "rocker", slider: { min: 0.1, max: 20, step: 0.01 } };
-    this.#row = new NumberRow(kind, drafts, (value) => change(() => engine.setDimension("output", value, inputNow(page)), "output", page));
+    this.#row = new NumberRow(kind, drafts, (value) => change(() => engine.simulator.setDimension("output", value, inputNow(page)), "output", page));
     section("synthesis", "map.heading", "family", [this.#map.element, this.#legend, this.#row.element, this.#table]);
   }
 

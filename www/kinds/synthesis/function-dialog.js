@@ -1,5 +1,4 @@
 // The dialog for a wanted function. It derives the positions of a synthesis from the function. Loaded on demand.
-import { functionPositions } from "assur/pkg/assur_web.js";
 import { numberField } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
 import { radians } from "assur/core/angles.js";
@@ -72,7 +71,7 @@ export function openFunction(page) {
 function made(form, { engine, store }) {
   const { wanted, count, even } = form.read();
   const state = alone(edited(store.get(), "synthesis", () => ({ function: wanted })));
-  const positions = /** @type {Document["positions"]} */ (engine.ask(() => functionPositions(state, count, even)));
+  const positions = engine.functions.functionPositions(state, count, even);
   return { function: wanted, positions, free: false, member: null, solution: null, trial: null };
 }
 

@@ -5,7 +5,6 @@ import { sentence } from "assur/controls/problems.js";
 import { attempt } from "assur/core/problem.js";
 import { formula } from "assur/kinds/synthesis/function.js";
 import { tableOf } from "assur/kinds/synthesis/function-dialog.js";
-import { functionPositions } from "assur/pkg/assur_web.js";
 import { fromFile, toFile } from "assur/state/codec.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine } from "assur/tests/engine.js";
@@ -16,7 +15,7 @@ const LOG = Object.freeze({ of: "log10", x: [1, 2], input_deg: [90, 150], output
 const engine = newEngine();
 const PAIR = Object.freeze([{ output_deg: 240, input_deg: 45 }, { output_deg: 253, input_deg: 60 }]);
 const stateOf = (wanted, positions = PAIR) => initialState("synthesis", { frame: 10, positions, function: wanted }, { playing: false });
-const ask = (wanted, count, even) => attempt(() => engine.ask(() => functionPositions(stateOf({ ...LOG, ...wanted }), count, even)));
+const ask = (wanted, count, even) => attempt(() => engine.functions.functionPositions(stateOf({ ...LOG, ...wanted }), count, even));
 
 test("positions stand at Chebyshev's places or in even steps, and the linkage is compared with the function", () => {
   const { value: even } = ask({}, 5, true);

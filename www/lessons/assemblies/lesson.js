@@ -1,7 +1,7 @@
 // Steps of the lesson on the assemblies of a linkage: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
-/** @typedef {import("assur/engine.js").MotionSummary} Summary */
+/** @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled?: import("assur/state/assembled.js").Assembled }} Summary */
 
 /** Overlays of every step: traces, the other assemblies, and the section with a picture of each assembly. */
 const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);

@@ -6,7 +6,7 @@ import { attempt } from "assur/core/problem.js";
 /**
  * @typedef {import("assur/lesson/panel.js").Figure} Figure
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/engine.js").LinkageSummary} Summary
+ * @typedef {import("assur/types/web.js").LinkageSummary} Summary
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
  */
@@ -39,7 +39,7 @@ export class Differences {
   #words = null;
   element;
 
-  /** @param {Pick<import("assur/engine.js").Engine, "plotted">} engine */
+  /** @param {Pick<import("assur/engine.js").Engine, "simulator">} engine */
   constructor(engine) {
     this.#engine = engine;
     this.element = make("figure", {}, [make("label", {}, [this.#name, this.#step]), this.#plot, this.#legend, this.#errors]);
@@ -56,7 +56,7 @@ export class Differences {
     const { start, end } = summary.cycle;
     const places = Array.from({ length: PLACES }, (_, i) => start + ((end - start) * (i + 0.5)) / PLACES);
     this.#places = places.flatMap((at) => {
-      const exact = attempt(() => this.#engine.plotted(at)).value;
+      const exact = attempt(() => this.#engine.simulator.plotted(at)).value;
       return exact && exact.length >= 3 ? [{ at, exact: /** @type {const} */ ([exact[1], exact[2]]) }] : [];
     });
     this.#draw();
@@ -71,7 +71,7 @@ export class Differences {
     this.#step.style.setProperty("--fill", String((exponent - least) / (most - least)));
     const degrees = 10 ** (exponent / 10);
     const h = radians(degrees);
-    const value = (/** @type {number} */ at) => attempt(() => this.#engine.plotted(at)).value?.[0];
+    const value = (/** @type {number} */ at) => attempt(() => this.#engine.simulator.plotted(at)).value?.[0];
     const found = this.#places.map(({ at, exact }) => ({ at, exact, found: differences([value(at - h), value(at), value(at + h)], h) }));
     const worst = [0, 1].map((order) => Math.max(...found.map(({ exact, found }) => (found ? Math.abs(found[order] - exact[order]) : 0))));
     write(this.#name, words.text("differences.figure.step", { step: words.numbers.brief(degrees) }));

@@ -18,10 +18,10 @@ test("central differences are exact for a parabola, and none without a neighbour
 
 test("a step in the middle comes nearest to the exact ψ″", () => {
   const at = Math.PI / 3;
-  const [, , exact] = engine.plotted(at);
+  const [, , exact] = engine.simulator.plotted(at);
   const off = [10, 0.1, 1e-5].map((degrees) => {
     const h = (degrees * Math.PI) / 180;
-    const found = differences([at - h, at, at + h].map((phi) => engine.plotted(phi)[0]), h);
+    const found = differences([at - h, at, at + h].map((phi) => engine.simulator.plotted(phi)[0]), h);
     return Math.abs(found[1] - exact);
   });
   assert.ok(off[1] < 1e-4 && off[0] > 100 * off[1] && off[2] > 10 * off[1], off.join());
@@ -47,14 +47,14 @@ test("the plot of differences has its scale: the greatest and the least ψ″", 
   const figure = new Differences(engine);
   figure.render({ kind: "linkage", summary: { cycle }, stale: false }, words);
   const ends = figure.element.all.filter(({ tagName }) => tagName === "TEXT").map(({ textContent }) => Number(textContent.replace("−", "-")));
-  const values = Array.from({ length: 360 }, (_, i) => engine.plotted(((i + 0.5) * Math.PI) / 180)[2]);
+  const values = Array.from({ length: 360 }, (_, i) => engine.simulator.plotted(((i + 0.5) * Math.PI) / 180)[2]);
   assert.ok(Math.abs(ends[0] - Math.max(...values)) < 0.01 && Math.abs(ends[1] - Math.min(...values)) < 0.01, ends.join());
 });
 
 test("where nothing with derivatives is plotted, the figure of differences is not shown", () => {
   const cycle = { start: 0, end: 2 * Math.PI };
   const shown = (/** @type {readonly number[]} */ values) => {
-    const figure = new Differences({ plotted: () => values });
+    const figure = new Differences({ simulator: { plotted: () => values } });
     figure.render({ kind: "linkage", summary: { cycle }, stale: false }, words);
     return !figure.element.hidden;
   };

@@ -22,7 +22,7 @@ export class System {
   #caption = make("caption");
   element = make("table", { class: "course lesson-matrix" }, [this.#caption]);
 
-  /** @param {Pick<import("assur/engine.js").Engine, "ask">} engine */
+  /** @param {Pick<import("assur/engine.js").Engine, "simulator">} engine */
   constructor(engine) {
     this.#engine = engine;
   }
@@ -34,7 +34,7 @@ export class System {
   render({ input, stale }, words) {
     write(this.#caption, words.text("derivatives.figure.system"));
     if (stale) return;
-    const relations = attempt(() => this.#engine.ask((simulator) => /** @type {import("assur/engine.js").Relation[]} */ (simulator.relations(input)))).value ?? [];
+    const relations = attempt(() => this.#engine.simulator.relations(input)).value ?? [];
     const values = new Map(relations.map(({ item, name, value }) => [`${item} ${name}`, value]));
     const number = (/** @type {string} */ key) => {
       const value = values.get(key);

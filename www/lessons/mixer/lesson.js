@@ -2,8 +2,8 @@
 import { degrees } from "assur/core/angles.js";
 
 /**
- * @typedef {import("assur/engine.js").Output["limits"][number]} Limit
- * @typedef {import("assur/engine.js").MixerSummary} Summary
+ * @typedef {import("assur/types/web.js").OutputSummary["limits"][number]} Limit
+ * @typedef {import("assur/types/web.js").MixerSummary} Summary
  */
 
 /** View for the comparison of two cases, with the crank upright. */
