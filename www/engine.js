@@ -3,6 +3,7 @@ import { Refusal } from "assur/core/problem.js";
 import { compiledWasm } from "assur/core/wasm.js";
 import { withAssembled } from "assur/state/assembled.js";
 import { Compared, discard } from "assur/state/compared.js";
+import { byName } from "assur/state/readouts.js";
 import { alone, contains } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
@@ -12,22 +13,10 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Frozen<import("assur/types/file.js").Preset>} Preset of the catalogue
  * @typedef {import("assur/types/web.js").Summaries} Summaries
  * @typedef {Summaries[Kind]} Summary
- * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
- * The mechanism at an input. `frame`: poses of the bodies, and a display list of all shapes that are not rigid.
- * `handles`: x and y of each handle. `readouts`: values by name. `plotted`: value and both derivatives of each series
- * of the plots, or abscissa and ordinate if one quantity is plotted against another. `readouts` and `plotted` are
- * null if derivatives are unbounded.
- * @typedef {Readonly<Record<string, number>>} Readouts
+ * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: Readouts | null, plotted: Float64Array | null }} Here
+ * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
+ * @typedef {import("assur/state/readouts.js").Readouts} Readouts
  */
-
-/** Number of lists that the engine returns for an input, one for each field of `Here`. */
-const LISTS = 4;
-
-/** @param {Float64Array} flat lengths of the lists, then the lists */
-function lists(flat) {
-  let end = LISTS;
-  return [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
-}
 
 /**
  * Passes calls of functions on.
@@ -117,12 +106,12 @@ export class Engine {
   set(state) {
     const summary = this.ask(() => {
       const simulator = this.#simulator;
-      const taken = withAssembled(simulator.set(alone(state)), this.simulator);
+      const taken = simulator.set(alone(state));
       this.#name(simulator.readoutNames());
       this.labels = simulator.labelNames();
       this.lengths = simulator.lengths();
       this.choosesLengths = simulator.choosesLengths();
-      return this.#compared.follow(state, taken);
+      return withAssembled(this.#compared.follow(state, taken), this.simulator);
     });
     this.#good = state;
     this.trapped = false;
@@ -140,36 +129,15 @@ export class Engine {
 
   /**
    * @param {State} state state to draw; the state of the page does not change
-   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float64Array, labels: readonly string[] }} drawing
+   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float32Array, labels: readonly string[] }} drawing
    * of the state at its drawn input
    */
   sketch(state) {
     return this.beside((other) => {
       const summary = other.set(alone(state));
       const home = "home" in summary ? summary.home : 0;
-      return { bounds: summary.bounds, scene: other.scene(), frame: lists(other.at(home))[0], labels: other.labelNames() };
+      return { bounds: summary.bounds, scene: other.scene(), frame: other.at(home).frame, labels: other.labelNames() };
     });
-  }
-
-  /**
-   * @param {module.Simulator} other simulator with a state
-   * @param {number} input
-   * @returns {Readouts | null} values by name, null if derivatives are unbounded there
-   */
-  readoutsOf(other, input) {
-    const { values } = this.placeOf(other, input);
-    const entries = other.readoutNames().map((/** @type {string} */ name, /** @type {number} */ i) => [name, values[i]]);
-    return values.length > 0 ? Object.fromEntries(entries) : null;
-  }
-
-  /**
-   * @param {module.Simulator} other simulator with a state
-   * @param {number} input
-   * @returns {{ frame: Float64Array, values: Float64Array }} drawing and values at the input
-   */
-  placeOf(other, input) {
-    const [frame, , values] = lists(other.at(input));
-    return { frame, values };
   }
 
   /** Whether mechanism A is shown. */
@@ -182,7 +150,7 @@ export class Engine {
    * @returns {import("assur/state/compared.js").Beside | null} mechanism A at the input; null if it is hidden or cannot be assembled
    */
   compared(input) {
-    const beside = this.#compared.at(input, this);
+    const beside = this.#compared.at(input);
     this.#outliveCompared();
     return beside;
   }
@@ -219,9 +187,9 @@ export class Engine {
    * @returns {Here}
    */
   at(input) {
-    const [frame, handles, readouts, plotted] = lists(this.simulator.at(input));
-    const read = readouts.length > 0;
-    return { frame, handles, readouts: read ? this.#named(readouts) : null, plotted: read ? plotted : null };
+    const { frame, handles, readouts, plotted } = this.simulator.at(input);
+    const named = byName(this.#names, readouts);
+    return { frame, handles, readouts: named, plotted: named && plotted };
   }
 
   /**
@@ -262,17 +230,6 @@ export class Engine {
       this.#renew();
       throw new Refusal([{ code: "trapped" }]);
     }
-  }
-
-  /**
-   * @param {Float64Array} values
-   * @returns {Readouts} values by name, with ′ and ″ for the derivatives that the plots show
-   */
-  #named(values) {
-    /** @type {Record<string, number>} */
-    const named = {};
-    for (let i = 0; i < this.#names.length; i++) named[this.#names[i]] = values[i];
-    return named;
   }
 
   /** @param {readonly string[]} names of the read-outs */

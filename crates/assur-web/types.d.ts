@@ -123,6 +123,15 @@ export type GroupSummary = { term: string, role: string, };
 export type HaltSummary = { body: string, time: number, };
 export type HandleSummary = { name: string, role: string, 
 /** Whether pressing the handle without a drag has an effect. */ pressed: boolean, };
+export type Here = { 
+/** Number of bodies; x, y and angle of each; then a display list of all shapes that are not rigid. */ frame: Float32Array, 
+/** x and y of each handle of the summary. */ handles: Float64Array, 
+/** Values of `readoutNames`; empty if derivatives are unbounded. */ readouts: Float64Array, 
+/**
+ * For each series of the plots, its value and first two derivatives, or abscissa and ordinate if one quantity is
+ * plotted against another; empty if derivatives are unbounded.
+ */
+plotted: Float64Array, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
 export type InflectionHere = { link: string, diameter: number | null, reason: Problem | null, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 

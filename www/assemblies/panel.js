@@ -136,7 +136,7 @@ export class Assemblies {
       if (canvas.height !== down) canvas.height = down;
       context.setTransform(1, 0, 0, 1, 0, 0);
       context.clearRect(0, 0, across, down);
-      this.#figure.take({ ...snapshot, frame: Float64Array.from(bodies) });
+      this.#figure.take({ ...snapshot, frame: Float32Array.from(bodies) });
       this.#figure.paintMoving({ context, ratio }, Transform.fit(this.#bounds, width, height, MARGIN));
     });
   }

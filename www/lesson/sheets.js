@@ -11,6 +11,7 @@ import { given } from "assur/lesson/given.js";
 import { quantityName, tellers, toleranceOf, unitIn, withTolerance } from "assur/lesson/quantity.js";
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
+import { byName } from "assur/state/readouts.js";
 import { alone } from "assur/state/state.js";
 
 /**
@@ -132,8 +133,8 @@ function seenIn(state, place, engine) {
     const summary = other.set(alone(state));
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
     const frameInput = coordinate ? coordinate.input(place ?? coordinate.of(state)) : 0;
-    const { frame } = engine.placeOf(other, frameInput);
-    const readouts = coordinate && engine.readoutsOf(other, frameInput);
+    const { frame, readouts: values } = other.at(frameInput);
+    const readouts = byName(other.readoutNames(), values);
     return { state, summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: other.lengths() };
   });
 }

@@ -5,6 +5,7 @@ import { ownNumbers, valueIn } from "assur/lesson/chance.js";
 import { withNumber } from "assur/lesson/field.js";
 import { W, isAngle } from "assur/lesson/quantity.js";
 import { Coordinate } from "assur/state/coordinate.js";
+import { byName } from "assur/state/readouts.js";
 import { alone, initialState, withDocument } from "assur/state/state.js";
 
 /**
@@ -127,7 +128,7 @@ export function answerOf(lesson, index, name, engine) {
     if (summary.moves === null) return valueOf(quantity, { summary, place: 0, readouts: null });
     const coordinate = coordinateOf(summary);
     const place = at ?? coordinate.of(task.state);
-    return valueOf(quantity, { summary, place, readouts: engine.readoutsOf(other, coordinate.input(place)) });
+    return valueOf(quantity, { summary, place, readouts: byName(other.readoutNames(), other.at(coordinate.input(place)).readouts) });
   }));
 }
 

@@ -165,7 +165,7 @@ function muted(theme) {
 }
 
 /**
- * @param {Float64Array} frame
+ * @param {Float32Array} frame
  * @returns {{ poses: (readonly number[])[], end: number }} `poses`: x, y and angle of each body; `end`: start of the display list
  */
 function readPoses(frame) {

@@ -1,12 +1,13 @@
 // Mechanism A, compared with the shown mechanism B. A has its own simulator and the input of B, and is never edited.
 import { Seen } from "assur/core/seen.js";
+import { byName } from "assur/state/readouts.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
- * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float64Array, readouts: import("assur/engine.js").Readouts | null }} Beside
+ * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float32Array, readouts: import("assur/state/readouts.js").Readouts | null }} Beside
  * mechanism A at an input, with the same data as the drawing of B; `revision`: number of mechanisms that have been A so far
  */
 
@@ -72,16 +73,14 @@ export class Compared {
 
   /**
    * @param {number} input
-   * @param {import("assur/engine.js").Engine} engine
    * @returns {Beside | null} null if A is not shown or cannot be assembled
    */
-  at(input, engine) {
+  at(input) {
     const simulator = this.shown;
     if (!simulator) return null;
     try {
-      const { frame, values } = engine.placeOf(simulator, input);
-      const readouts = values.length > 0 ? Object.fromEntries(this.#names.map((name, i) => [name, values[i]])) : null;
-      return { ...this.#drawn, frame, readouts };
+      const { frame, readouts } = simulator.at(input);
+      return { ...this.#drawn, frame, readouts: byName(this.#names, readouts) };
     } catch (thrown) {
       this.#noteBreak(thrown);
       return null;

@@ -12,7 +12,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
  * @typedef {import("assur/core/problem.js").Problem} Problem
- * @typedef {import("assur/engine.js").Readouts} Readouts
+ * @typedef {import("assur/state/readouts.js").Readouts} Readouts
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/state.js").Kind} Kind
  *
@@ -24,7 +24,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  *   words: Words,
  *   scene: Float32Array,
  *   revision: number,
- *   frame: Float64Array,
+ *   frame: Float32Array,
  *   handles: Float64Array,
  *   frameInput: number,
  *   readouts: Readouts | null,

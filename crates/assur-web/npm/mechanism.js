@@ -6,9 +6,6 @@ const VIEW = Object.freeze({
   phi_deg: 0, s: 0, t: 0, playing: false, direction: 1, speed: 1, lang: "en", traces: false, plot: "angles", omega: 1, epsilon: 0,
 });
 
-/** How many lists a pose comes in. */
-const LISTS = 4;
-
 export class Mechanism {
   #simulator = new Simulator();
 
@@ -23,9 +20,7 @@ export class Mechanism {
   }
 
   pose(input) {
-    const flat = this.#simulator.at(input);
-    let end = LISTS;
-    const [frame, , values] = [...flat.subarray(0, LISTS)].map((length) => flat.subarray(end, (end += length)));
+    const { frame, readouts: values } = this.#simulator.at(input);
     const names = this.#simulator.readoutNames();
     const readouts = values.length === 0 ? null : Object.fromEntries(names.map((name, at) => [name, values[at]]));
     const bodies = Array.from({ length: frame[0] }, (_, body) => [...frame.subarray(1 + 3 * body, 4 + 3 * body)]);

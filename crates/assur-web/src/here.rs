@@ -1,6 +1,11 @@
 //! Values that the page shows at an input.
 
 use assur::Point;
+use js_sys::{Float32Array, Float64Array};
+use serde::Serialize;
+use wasm_bindgen::JsValue;
+
+use crate::convert::to_js;
 
 /// All values at an input, as [`crate::Simulator::at`] returns them.
 #[derive(Default)]
@@ -21,15 +26,36 @@ impl Here {
         }
     }
 
-    /// All four lists as one: first their lengths, then their items.
-    pub(crate) fn flat(&self) -> Vec<f64> {
-        let rest = [&self.handles, &self.readouts, &self.plotted];
-        let lengths = rest.map(|list| list.len() as f64);
-        let lengths = [self.frame.len() as f64].into_iter().chain(lengths);
-        let frame = self.frame.iter().copied().map(f64::from);
-        lengths
-            .chain(frame)
-            .chain(rest.into_iter().flatten().copied())
-            .collect()
+    /// The same values as typed arrays.
+    pub(crate) fn into_js(self) -> JsValue {
+        to_js(&HereArrays {
+            frame: self.frame[..].into(),
+            handles: self.handles[..].into(),
+            readouts: self.readouts[..].into(),
+            plotted: self.plotted[..].into(),
+        })
     }
+}
+
+/// The mechanism at an input.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Here"))]
+pub(crate) struct HereArrays {
+    /// Number of bodies; x, y and angle of each; then a display list of all shapes that are not rigid.
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    #[cfg_attr(test, ts(type = "Float32Array"))]
+    frame: Float32Array,
+    /// x and y of each handle of the summary.
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    #[cfg_attr(test, ts(type = "Float64Array"))]
+    handles: Float64Array,
+    /// Values of `readoutNames`; empty if derivatives are unbounded.
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    #[cfg_attr(test, ts(type = "Float64Array"))]
+    readouts: Float64Array,
+    /// For each series of the plots, its value and first two derivatives, or abscissa and ordinate if one quantity is
+    /// plotted against another; empty if derivatives are unbounded.
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    #[cfg_attr(test, ts(type = "Float64Array"))]
+    plotted: Float64Array,
 }

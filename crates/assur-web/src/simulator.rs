@@ -81,25 +81,21 @@ impl Simulator {
         Ok(self.document()?.rigid().list.to_vec())
     }
 
-    /// Everything at an input, from one pose: the lengths of four lists, then the lists themselves:
-    /// - frame: the bodies' poses `n, x, y, θ, …`, then a display list of all that changes its shape;
-    /// - handles: x and y of each handle in the summary;
-    /// - read-outs: those of `readoutNames`;
-    /// - plotted values: for each quantity, in the order of the chart's series, the value and its first two
-    ///   derivatives; in a plot of one quantity against another, abscissa and ordinate.
-    ///
-    /// Derivatives are with respect to the variable of the axes: input or time. If they are unbounded, the last two
-    /// lists are empty, and `why` gives the reason. A document that never moves has only frame and handles; its input
-    /// is the fraction by which an open chain has fallen open.
+    /// The mechanism at an input, computed from one pose: animation frame, handles, read-outs and plotted values.
+    /// Derivatives are with respect to the variable of the axes: input or time. If they are unbounded, read-outs and
+    /// plotted values are empty, and `why` gives the reason. A document that never moves has only frame and handles;
+    /// its input is the fraction by which an open chain has fallen open.
     ///
     /// # Errors
     /// The reason why there is no pose.
-    pub fn at(&self, input: f64) -> Result<Vec<f64>, JsValue> {
+    #[wasm_bindgen(unchecked_return_type = "Here")]
+    pub fn at(&self, input: f64) -> Result<JsValue, JsValue> {
         let document = self.document()?;
-        let Some(moves) = document.moves() else {
-            return Ok(document.still(input).flat());
+        let here = match document.moves() {
+            Some(moves) => moves.at(input).map_err(one)?,
+            None => document.still(input),
         };
-        Ok(moves.at(input).map_err(one)?.flat())
+        Ok(here.into_js())
     }
 
     /// The plotted values of `at` alone, for the cursor of the plots.

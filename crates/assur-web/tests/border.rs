@@ -17,6 +17,18 @@ mod scheme;
 mod simulator;
 mod synthesis;
 
+use assur_web::Simulator;
+use js_sys::{Array, Reflect};
+use wasm_bindgen::JsValue;
 use wasm_bindgen_test::wasm_bindgen_test_configure;
 
 wasm_bindgen_test_configure!(run_in_browser);
+
+/// Frame, handles, read-outs and plotted values at an input.
+fn at(simulator: &Simulator, input: f64) -> Result<[Vec<f64>; 4], JsValue> {
+    let here = simulator.at(input)?;
+    Ok(["frame", "handles", "readouts", "plotted"].map(|name| {
+        let list = Array::from(&Reflect::get(&here, &name.into()).unwrap());
+        list.iter().map(|one| one.as_f64().unwrap()).collect()
+    }))
+}

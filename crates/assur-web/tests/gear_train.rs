@@ -9,6 +9,8 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{console_log, wasm_bindgen_test};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
+use crate::at;
+
 fn value(value: &JsValue) -> Value {
     let text: String = JSON::stringify(value).unwrap().into();
     serde_json::from_str(&text).unwrap()
@@ -56,15 +58,9 @@ fn near(found: &Value, expected: f64) {
 
 /// The lists of `at`.
 fn lists(simulator: &Simulator, time: f64) -> [Vec<f64>; 4] {
-    let at = simulator.at(time).unwrap();
-    assert!(at.iter().all(|number| number.is_finite()), "{time}");
-    let mut from = 4;
-    let lists = [0, 1, 2, 3].map(|list| {
-        let length = at[list] as usize;
-        from += length;
-        at[from - length..from].to_vec()
-    });
-    assert_eq!(from, at.len());
+    let lists = at(simulator, time).unwrap();
+    let mut numbers = lists.iter().flatten();
+    assert!(numbers.all(|number| number.is_finite()), "{time}");
     lists
 }
 
@@ -215,7 +211,7 @@ fn a_place_has_all_that_is_named() {
 #[wasm_bindgen_test]
 fn unknown_plots_are_refused_and_the_last_state_is_kept() {
     let (mut simulator, _) = opened("train-magnets", "angles", &json!({}));
-    let before = simulator.at(2.0).unwrap();
+    let before = lists(&simulator, 2.0);
     let document = known("train-magnets");
     for plot in ["load", "sun.load_angle", "planet.angle", "carrier"] {
         let thrown = value(&simulator.set(state(&document, plot)).unwrap_err());
@@ -237,7 +233,7 @@ fn unknown_plots_are_refused_and_the_last_state_is_kept() {
         let thrown = value(&simulator.set(state(&damaged, "angles")).unwrap_err());
         assert_eq!(thrown[0]["code"], code, "{thrown}");
     }
-    assert_eq!(simulator.at(2.0).unwrap(), before);
+    assert_eq!(lists(&simulator, 2.0), before);
     assert_eq!(value(&simulator.why(1.0).unwrap()), json!([]));
 }
 

@@ -6,6 +6,8 @@ use js_sys::{Array, JSON, Object, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
+use crate::at;
+
 const SLIDER_CRANK: &str = include_str!("../../assur-file/catalogue/slider-crank.json");
 const CLASS4: &str = include_str!("../../assur-file/catalogue/class4-dwell.json");
 const SCOTCH_YOKE: &str = include_str!("../../assur-file/catalogue/scotch-yoke.json");
@@ -51,7 +53,10 @@ fn every_mechanism_of_the_catalogue_is_taken() {
         simulator.set(state).unwrap();
         // Of a scheme all can fall open: it is in the frame.
         let drawn = simulator.scene().unwrap().len();
-        assert!(drawn > 0 || simulator.at(0.0).unwrap().len() > 60, "{name}");
+        assert!(
+            drawn > 0 || at(&simulator, 0.0).unwrap()[0].len() > 60,
+            "{name}"
+        );
     }
 }
 
@@ -167,12 +172,12 @@ fn what_is_no_higher_group_names_links_and_points() {
 fn is_refused(good: &str, document: &str, said: &str) {
     let mut simulator = Simulator::new();
     simulator.set(state(good)).unwrap();
-    let before = simulator.at(1.0).unwrap();
+    let before = at(&simulator, 1.0).unwrap();
     for thrown in [simulator.set(state(document)), read_state(state(document))] {
         let thrown = json(&thrown.unwrap_err());
         assert!(thrown.starts_with(said), "{thrown}");
     }
-    assert_eq!(simulator.at(1.0).unwrap(), before, "{said}");
+    assert_eq!(at(&simulator, 1.0).unwrap(), before, "{said}");
 }
 
 /// A dragged crank turns; any other point is put where it was dragged, and the

@@ -9,6 +9,8 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
+use crate::at;
+
 const STATE: &str = r#"{"format":1,"lesson":"mixer",
     "document":{"l1":0.37,"l2":0.85,"l3":0.55,"l4":0.85,"z4":36,"z5":18,
         "mesh":"external","module":0.0165,"centre_line_deg":-40,"assembly":1},
@@ -40,17 +42,6 @@ fn thrown(problems: JsValue) -> Vec<(String, String)> {
         .iter()
         .map(|p| (text(&p, "code"), text(&p, "field")))
         .collect()
-}
-
-/// Frame, handles, read-outs and plotted values at an input.
-fn at(simulator: &Simulator, input: f64) -> Result<[Vec<f64>; 4], JsValue> {
-    let flat = simulator.at(input)?;
-    let (lengths, mut rest) = flat.split_at(4);
-    Ok([0, 1, 2, 3].map(|list| {
-        let (one, after) = rest.split_at(lengths[list] as usize);
-        rest = after;
-        one.to_vec()
-    }))
 }
 
 fn frame(simulator: &Simulator, input: f64) -> Vec<f64> {
@@ -275,9 +266,9 @@ fn an_assembly_is_chosen_by_its_number() {
     assert_eq!(number(&here, &format!("all.{}.number", 1 - shown)), 2.0);
     // The bodies are where the frame has them.
     let bodies: Array = get(&here, &format!("all.{shown}.bodies")).unchecked_into();
-    let frame = simulator.at(1.0).unwrap();
+    let frame = frame(&simulator, 1.0);
     for (k, body) in bodies.iter().enumerate() {
-        assert!((body.as_f64().unwrap() - frame[4 + k]).abs() < 1e-6, "{k}");
+        assert!((body.as_f64().unwrap() - frame[1 + k]).abs() < 1e-6, "{k}");
     }
     for (chosen, said) in [(1, 1.0), (2, 2.0)] {
         let change = simulator.assemble(chosen, 1.0).unwrap();
