@@ -1,5 +1,5 @@
 // The engine for the page: one Simulator, exceptions turned into problems, and recovery after a trap in its wasm.
-import { Refusal } from "assur/core/problem.js";
+import { Refusal, problemsOf } from "assur/core/problem.js";
 import { compiledWasm } from "assur/core/wasm.js";
 import { withAssembled } from "assur/state/assembled.js";
 import { Compared, discard } from "assur/state/compared.js";
@@ -31,9 +31,9 @@ function asked(owner, ask) {
 }
 
 export class Engine {
-  /** The simulator of the page. Its methods throw a `Refusal`. */
+  /** The simulator of the page. */
   simulator = asked(() => this.#simulator, (call) => this.ask(call));
-  /** The engine's functions that need no simulator. They throw a `Refusal`. */
+  /** The engine's functions that need no simulator. */
   functions = asked(() => module, (call) => this.ask(call));
   #simulator = new module.Simulator();
   /** @type {State | null} the last state that the simulator accepted */
@@ -213,7 +213,7 @@ export class Engine {
   }
 
   /**
-   * Makes a call of the engine. Problems become a `Refusal`. After any other exception, a new instance takes over.
+   * Makes a call of the engine. If it fails without problems, the instance is broken, and a new one takes over.
    * @template T
    * @param {() => T} call
    * @returns {T}
@@ -222,8 +222,7 @@ export class Engine {
     try {
       return call();
     } catch (thrown) {
-      if (thrown instanceof Refusal) throw thrown;
-      if (Array.isArray(thrown)) throw new Refusal(thrown);
+      if (problemsOf(thrown)) throw thrown;
       console.error(thrown);
       this.trapped = true;
       this.#compared.takeAnew();

@@ -1,4 +1,5 @@
 // All motions of a linkage, in a worker: the map of the branches, and the branch of each assembly at an input.
+import { problemsOf } from "assur/core/problem.js";
 import load, { AllMotions } from "assur/pkg/assur_web.js";
 
 /** @type {Promise<unknown> | null} */
@@ -21,8 +22,8 @@ addEventListener("message", async ({ data }) => {
       postMessage({ revision: data.revision, input, number, belonging: motions.belonging(input, number) });
     }
   } catch (thrown) {
-    // The engine reports problems by throwing an array. After any other exception the engine is unusable.
-    const broken = !Array.isArray(thrown);
+    // After an exception without problems the engine is unusable.
+    const broken = !problemsOf(thrown);
     if (broken) console.error(thrown);
     postMessage({ revision: data.revision, lost: true, broken });
   }

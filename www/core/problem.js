@@ -1,14 +1,22 @@
 // Refusals with their reasons. A reason is a code with parameters, which becomes a sentence where it is shown.
 
-/** @typedef {Readonly<{ code: string, field?: string, [parameter: string]: string | number | undefined }>} Problem */
+/** @typedef {import("assur/types/file.js").Problem} Problem */
 
-/** Refusal of a request by the engine, with its reasons. */
+/** Refusal of a request, with its reasons. The errors of the engine have the same field. */
 export class Refusal extends Error {
   /** @param {readonly Problem[]} problems */
   constructor(problems) {
     super(problems.map((problem) => problem.code).join(", "));
     this.problems = problems;
   }
+}
+
+/**
+ * @param {unknown} thrown
+ * @returns {readonly Problem[] | null} reasons of a refusal; null for any other exception
+ */
+export function problemsOf(thrown) {
+  return thrown instanceof Error && "problems" in thrown ? /** @type {readonly Problem[]} */ (thrown.problems) : null;
 }
 
 /**
@@ -21,7 +29,8 @@ export function attempt(work) {
   try {
     return { value: work(), problems: [] };
   } catch (thrown) {
-    if (thrown instanceof Refusal) return { value: null, problems: thrown.problems };
-    throw thrown;
+    const problems = problemsOf(thrown);
+    if (!problems) throw thrown;
+    return { value: null, problems };
   }
 }

@@ -59,7 +59,7 @@ export function taskOf(lesson, index, name, engine) {
   return engine.beside((other) => {
     for (let tries = 0; tries < TRIES; tries++) {
       const own = vary.map((range) => ({ field: range.field, value: valueIn(range, next()) }));
-      const fit = taken(() => withOwn(state, own, followed, other));
+      const fit = attempt(() => withOwn(state, own, followed, other)).value;
       if (fit) return { state: fit, own };
     }
     return null;
@@ -92,20 +92,6 @@ function withOwn(state, own, followed, other) {
   return now;
 }
 
-/**
- * @template T
- * @param {() => T} work with a simulator
- * @returns {T | null} null if the simulator refuses
- */
-function taken(work) {
-  try {
-    return work();
-  } catch (thrown) {
-    if (Array.isArray(thrown)) return null;
-    throw thrown;
-  }
-}
-
 /** @param {Extract<Summary, { moves: "angle" | "length" | "time" }>} summary */
 export function coordinateOf({ moves, cycle, input }) {
   return new Coordinate(moves, cycle, input);
@@ -123,13 +109,13 @@ export function answerOf(lesson, index, name, engine) {
   if (value !== undefined && value !== null) return value;
   const task = quantity ? taskOf(lesson, index, name, engine) : null;
   if (!task || !quantity) return null;
-  return engine.beside((other) => taken(() => {
+  return engine.beside((other) => attempt(() => {
     const summary = other.set(task.state);
     if (summary.moves === null) return valueOf(quantity, { summary, place: 0, readouts: null });
     const coordinate = coordinateOf(summary);
     const place = at ?? coordinate.of(task.state);
     return valueOf(quantity, { summary, place, readouts: byName(other.readoutNames(), other.at(coordinate.input(place)).readouts) });
-  }));
+  })).value;
 }
 
 /**

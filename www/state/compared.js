@@ -1,4 +1,5 @@
 // Mechanism A, compared with the shown mechanism B. A has its own simulator and the input of B, and is never edited.
+import { problemsOf } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
 import { byName } from "assur/state/readouts.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
@@ -125,10 +126,10 @@ export class Compared {
 
   /**
    * Records whether A's simulator broke.
-   * @param {unknown} thrown list of the engine's problems, or the exception of a trap
+   * @param {unknown} thrown refusal of the engine, or the exception of a trap
    */
   #noteBreak(thrown) {
-    if (Array.isArray(thrown)) return;
+    if (problemsOf(thrown)) return;
     console.error(thrown);
     this.hide();
     this.broken = true;

@@ -1,29 +1,33 @@
-import type { Summaries, SweepTable } from "./types/web.js";
+import type { DocumentOf, Problem, View } from "./types/file.js";
+import type { Kind, Summaries, SweepTable } from "./types/web.js";
 
 export * from "./engine/assur_web.js";
+export type * from "./types/edit.js";
 export type * from "./types/file.js";
 export type * from "./types/web.js";
 
-/** What the engine refuses is thrown as a list of these. */
-export type Problem = { readonly code: string; readonly field?: string; readonly [parameter: string]: unknown };
+/** Error of the engine if it refuses a request. */
+export interface EngineError extends Error {
+  readonly problems: readonly Problem[];
+}
 
 /** A mechanism of the catalogue, or of a document of yours. */
-export class Mechanism<K extends keyof Summaries = keyof Summaries> {
+export class Mechanism<K extends Kind = Kind> {
   /**
    * @param document as the page saves it
-   * @throws readonly Problem[]
+   * @throws EngineError
    */
-  constructor(kind: K, document: object, view?: object);
+  constructor(kind: K, document: DocumentOf<K>["document"], view?: Partial<View>);
   /**
    * @param id as in the address of the page: `jansen`
-   * @throws RangeError where there is none of that name
+   * @throws RangeError if the catalogue has no such name
    */
   static named(id: string): Mechanism;
-  /** What holds of the whole motion: structure, where the input goes, dead points, swings. */
+  /** Structure of the mechanism, and its motion as a whole: range of the input, dead points, swings. */
   readonly summary: Summaries[K];
   /**
    * @param input of the driver: radians, a length or seconds
-   * @throws readonly Problem[] where it cannot be assembled
+   * @throws EngineError if it cannot be assembled
    */
   pose(input: number): {
     /** x, y and angle of each rigid body of the drawing. */
@@ -31,8 +35,8 @@ export class Mechanism<K extends keyof Summaries = keyof Summaries> {
     /** Values by name, `′` and `″` are their derivatives by the input; null where derivatives are unbounded. */
     readouts: Record<string, number> | null;
   };
-  /** The motion as a table of so many steps to a turn. */
+  /** The motion as a table with the given number of steps per turn. */
   sweep(steps: number): SweepTable;
-  /** Gives the memory of the engine back. */
+  /** Frees the memory of the engine. */
   free(): void;
 }

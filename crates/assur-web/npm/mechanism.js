@@ -1,16 +1,11 @@
 // A mechanism by name or of a document, and its poses, without the state of the page around it.
-import { Simulator, catalogue } from "./engine/assur_web.js";
-
-/** How a mechanism is viewed, for the engine as well. */
-const VIEW = Object.freeze({
-  phi_deg: 0, s: 0, t: 0, playing: false, direction: 1, speed: 1, lang: "en", traces: false, plot: "angles", omega: 1, epsilon: 0,
-});
+import { Simulator, catalogue, usualView } from "./engine/assur_web.js";
 
 export class Mechanism {
   #simulator = new Simulator();
 
   constructor(kind, document, view = {}) {
-    this.summary = this.#simulator.set({ format: 2, kind, document, view: { ...VIEW, ...view } });
+    this.summary = this.#simulator.set({ format: 2, kind, document, view: { ...usualView(), ...view } });
   }
 
   static named(id) {

@@ -1,7 +1,7 @@
 //! Conversion between Rust and JavaScript values.
 
 use assur_file::{Problem, State, from_json};
-use js_sys::Reflect;
+use js_sys::{Error, JSON, Reflect};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -128,8 +128,18 @@ fn member(of: &JsValue, name: impl Into<JsValue>) -> JsValue {
     Reflect::get(of, &name.into()).unwrap_or_default()
 }
 
-/// Converts problems to an exception of the page: an array of `{code, …}`.
+/// Converts problems to an error of JavaScript: see [`refused`].
 pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> JsValue {
     let problems: Vec<Problem> = problems.into_iter().map(Into::into).collect();
-    to_js(&problems)
+    refused(&problems)
+}
+
+/// Makes an error of JavaScript from problems: `problems` is an array of `{code, …}`, and `message` is the same as JSON.
+pub(crate) fn refused<T: Serialize>(problems: &[T]) -> JsValue {
+    let problems = to_js(&problems);
+    let message = JSON::stringify(&problems).unwrap_or_default();
+    let error = Error::new(&String::from(message));
+    // A property can always be set on a new object.
+    let _ = Reflect::set(&error, &"problems".into(), &problems);
+    error.into()
 }

@@ -5,7 +5,7 @@ use assur_import::{Imported, LeftOut};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use crate::convert::to_js;
+use crate::convert::{refused, to_js};
 
 /// Result of an import. The document is a field of its own, because with serde's `flatten` the code for every kind of
 /// document would be compiled a second time.
@@ -28,7 +28,7 @@ pub fn is_import(text: &str) -> bool {
 /// The part that cannot be read.
 #[wasm_bindgen(js_name = readImport, unchecked_return_type = "Imported")]
 pub fn read_import(text: &str) -> Result<JsValue, JsValue> {
-    let read = assur_import::read(text).map_err(|problem| to_js(&[problem]))?;
+    let read = assur_import::read(text).map_err(|problem| refused(&[problem]))?;
     let Imported { document, left_out } = read;
     let read = document.as_it_moves();
     Ok(to_js(&Read { read, left_out }))

@@ -1,7 +1,7 @@
 //! Starting documents, names of roles, and positions of a synthesis.
 
 use assur_draw::ROLES;
-use assur_file::{Document, DraftDocument, Preset, Shelf};
+use assur_file::{Document, DraftDocument, Preset, Shelf, View};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 use crate::capabilities::unknown;
@@ -18,6 +18,12 @@ pub fn task(number: u32) -> JsValue {
 #[wasm_bindgen(unchecked_return_type = "DocumentOf<\"draft\">")]
 pub fn blank() -> JsValue {
     to_js(&Document::Draft(DraftDocument::default()))
+}
+
+/// The usual view of a mechanism.
+#[wasm_bindgen(js_name = usualView, unchecked_return_type = "View")]
+pub fn usual_view() -> JsValue {
+    to_js(&View::default())
 }
 
 /// The catalogue: `{id, kind, document}` for each mechanism.

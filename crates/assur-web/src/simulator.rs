@@ -20,7 +20,7 @@ use refusal::place;
 pub(crate) use refusal::{bad, one};
 
 /// An open document with its drawing. Inputs are in radians or, for a driven slide, in the unit of
-/// the lengths. A method that fails throws an array of problems, `{code, …}`, and changes nothing.
+/// the lengths. A method that fails throws an `Error` with `problems`, an array of `{code, …}`, and changes nothing.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Simulator {
@@ -113,7 +113,8 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Problem[]")]
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
         let moves = self.document()?.moves();
-        Ok(thrown(moves.and_then(|moves| moves.why(input))))
+        let problem = moves.and_then(|moves| moves.why(input));
+        Ok(to_js(&Vec::from_iter(problem)))
     }
 
     /// Names of the read-outs: the input, the transmission and pressure angles of dyads, then every

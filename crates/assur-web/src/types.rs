@@ -27,7 +27,7 @@ import { Mend } from \"assur/types/edit.js\";
 import { Document, DocumentOf, Frozen, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from \"assur/types/file.js\";
 export type Kind = Document[\"kind\"];
 export type Summary = Summaries[Kind];
-export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: Partial<View>, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
+export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: View, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
 export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<K>[\"document\"]> : never;
 export type Changed<F = Fields> = { document?: F, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };

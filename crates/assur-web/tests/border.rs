@@ -18,8 +18,8 @@ mod simulator;
 mod synthesis;
 
 use assur_web::Simulator;
-use js_sys::{Array, Reflect};
-use wasm_bindgen::JsValue;
+use js_sys::{Array, Error, Reflect};
+use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test_configure;
 
 wasm_bindgen_test_configure!(run_in_browser);
@@ -31,4 +31,10 @@ fn at(simulator: &Simulator, input: f64) -> Result<[Vec<f64>; 4], JsValue> {
         let list = Array::from(&Reflect::get(&here, &name.into()).unwrap());
         list.iter().map(|one| one.as_f64().unwrap()).collect()
     }))
+}
+
+/// Problems of an error.
+fn problems(error: &JsValue) -> JsValue {
+    assert!(error.has_type::<Error>());
+    Reflect::get(error, &"problems".into()).unwrap()
 }

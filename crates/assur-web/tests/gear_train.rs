@@ -9,7 +9,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{console_log, wasm_bindgen_test};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::at;
+use crate::{at, problems};
 
 fn value(value: &JsValue) -> Value {
     let text: String = JSON::stringify(value).unwrap().into();
@@ -214,7 +214,9 @@ fn unknown_plots_are_refused_and_the_last_state_is_kept() {
     let before = lists(&simulator, 2.0);
     let document = known("train-magnets");
     for plot in ["load", "sun.load_angle", "planet.angle", "carrier"] {
-        let thrown = value(&simulator.set(state(&document, plot)).unwrap_err());
+        let thrown = value(&problems(
+            &simulator.set(state(&document, plot)).unwrap_err(),
+        ));
         assert_eq!(
             thrown,
             json!([{"code": "unknown_choice", "field": "plot"}]),
@@ -230,7 +232,9 @@ fn unknown_plots_are_refused_and_the_last_state_is_kept() {
     ] {
         let mut damaged = document.clone();
         damaged[field] = wrong;
-        let thrown = value(&simulator.set(state(&damaged, "angles")).unwrap_err());
+        let thrown = value(&problems(
+            &simulator.set(state(&damaged, "angles")).unwrap_err(),
+        ));
         assert_eq!(thrown[0]["code"], code, "{thrown}");
     }
     assert_eq!(lists(&simulator, 2.0), before);

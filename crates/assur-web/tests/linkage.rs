@@ -6,7 +6,7 @@ use js_sys::{Array, JSON, Object, Reflect};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
-use crate::at;
+use crate::{at, problems};
 
 const SLIDER_CRANK: &str = include_str!("../../assur-file/catalogue/slider-crank.json");
 const CLASS4: &str = include_str!("../../assur-file/catalogue/class4-dwell.json");
@@ -174,7 +174,7 @@ fn is_refused(good: &str, document: &str, said: &str) {
     simulator.set(state(good)).unwrap();
     let before = at(&simulator, 1.0).unwrap();
     for thrown in [simulator.set(state(document)), read_state(state(document))] {
-        let thrown = json(&thrown.unwrap_err());
+        let thrown = json(&problems(&thrown.unwrap_err()));
         assert!(thrown.starts_with(said), "{thrown}");
     }
     assert_eq!(at(&simulator, 1.0).unwrap(), before, "{said}");

@@ -9,7 +9,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
-use crate::at;
+use crate::{at, problems};
 
 const STATE: &str = r#"{"format":1,"lesson":"mixer",
     "document":{"l1":0.37,"l2":0.85,"l3":0.55,"l4":0.85,"z4":36,"z5":18,
@@ -34,8 +34,13 @@ fn put(object: &JsValue, path: &str, key: &str, value: JsValue) {
     Reflect::set(&get(object, path), &key.into(), &value).unwrap();
 }
 
-/// Codes and fields of what was thrown.
-fn thrown(problems: JsValue) -> Vec<(String, String)> {
+/// Codes and fields of an error's problems.
+fn thrown(error: JsValue) -> Vec<(String, String)> {
+    listed(problems(&error))
+}
+
+/// Codes and fields of problems.
+fn listed(problems: JsValue) -> Vec<(String, String)> {
     let text = |problem: &JsValue, key: &str| get(problem, key).as_string().unwrap_or_default();
     let problems: Array = problems.unchecked_into();
     problems
@@ -288,14 +293,17 @@ fn keys_that_stand_twice_are_refused_with_a_path() {
     assert!(check_keys(r#"{"document": {"l1": 1, "l2": 1}}"#).is_ok());
     let twice = check_keys(r#"{"document": {"l1": 1, "l1": 1}}"#).unwrap_err();
     assert_eq!(thrown(twice.clone())[0].0, "key_twice");
-    assert_eq!(get(&twice, "0.path").as_string().unwrap(), "document.l1");
+    assert_eq!(
+        get(&twice, "problems.0.path").as_string().unwrap(),
+        "document.l1"
+    );
 }
 
 #[wasm_bindgen_test]
 fn broken_states_are_refused_with_a_path() {
     let mut simulator = simulator();
     let before = frame(&simulator, 1.0);
-    let path = |problems: JsValue| get(&problems, "0.path").as_string().unwrap();
+    let path = |error: JsValue| get(&error, "problems.0.path").as_string().unwrap();
     for (at, key, value, expected) in [
         ("document", "l2", "long".into(), "document.l2"),
         ("document", "l2", JsValue::NULL, "document.l2"),
@@ -335,13 +343,13 @@ fn angles_without_a_pose_are_thrown() {
     let end = number(&summary, "dead_points.0.input");
     let [place, _, readouts, plotted] = at(&simulator, end).unwrap();
     assert!(!place.is_empty() && readouts.is_empty() && plotted.is_empty());
-    assert_eq!(thrown(simulator.why(end).unwrap())[0].0, "dead_point");
+    assert_eq!(listed(simulator.why(end).unwrap())[0].0, "dead_point");
     let home = number(&summary, "home");
     let [phi, _] = simulator.advance(home, 100.0).unwrap()[..] else {
         panic!("two numbers")
     };
     assert!(simulator.at(phi).is_ok());
-    assert_eq!(thrown(simulator.why(home).unwrap()), []);
+    assert_eq!(listed(simulator.why(home).unwrap()), []);
 }
 
 #[wasm_bindgen_test]

@@ -7,6 +7,8 @@ use serde_json::Value;
 use wasm_bindgen::JsValue;
 use wasm_bindgen_test::wasm_bindgen_test;
 
+use crate::problems;
+
 const EXAMPLE: &str = r#"[{"output_deg":240,"input_deg":45},{"output_deg":253,"input_deg":60}]"#;
 
 /// The state of a synthesis with a frame of 10.4, as JSON.
@@ -55,7 +57,9 @@ fn a_family_is_said_and_chosen_from() {
     // l₂ = 6 of the same family; none is as long as its end.
     let change = value(&simulator.set_dimension("output", 6.0, 0.0).unwrap());
     near(&change["document"]["member"][1], 6.1600075360616, 1e-10);
-    let refused = value(&simulator.set_dimension("output", 300.0, 0.0).unwrap_err());
+    let refused = value(&problems(
+        &simulator.set_dimension("output", 300.0, 0.0).unwrap_err(),
+    ));
     assert_eq!(refused[0]["code"], "out_of_range");
     near(
         &refused[0]["max"],
@@ -144,7 +148,7 @@ fn what_cannot_be_changes_nothing() {
     simulator.set(state(EXAMPLE, "")).unwrap();
     let scene = simulator.scene().unwrap();
     let apart = r#"[{"output_deg":90,"input_deg":120},{"output_deg":60,"input_deg":100}]"#;
-    let refused = value(&simulator.set(state(apart, "")).unwrap_err());
+    let refused = value(&problems(&simulator.set(state(apart, "")).unwrap_err()));
     assert_eq!(refused[0]["code"], "no_family");
     assert_eq!(simulator.scene().unwrap(), scene);
 }

@@ -5,9 +5,6 @@ import path from "node:path";
 import { read, replace } from "./files.js";
 import { ENGINE } from "./site.js";
 
-/** How the types of the border name those of saved files, in the workspace and in the package. */
-const TYPES = Object.freeze(/** @type {const} */ (['"assur/types/file.js"', '"./file.js"']));
-
 /**
  * @param {{ root: string, site: string, staging: string, to: string, version: string }} options
  */
@@ -18,15 +15,20 @@ export function pack({ root, site, staging, to, version }) {
   for (const [name, place] of [
     ["engine/assur_web.js", path.join(site, "pkg/assur_web.js")],
     ["engine/assur_web_bg.wasm", path.join(site, "pkg/assur_web_bg.wasm")],
-    ["engine/assur_web.d.ts", path.join(root, ENGINE, "assur_web.d.ts")],
-    ["types/file.d.ts", path.join(root, "crates/assur-file/types.d.ts")],
     ["LICENSE-MIT", path.join(root, "LICENSE-MIT")],
     ["LICENSE-APACHE", path.join(root, "LICENSE-APACHE")],
   ]) {
     files.set(name, readFileSync(place));
   }
-  const border = readFileSync(path.join(root, "crates/assur-web/types.d.ts"), "utf8");
-  files.set("types/web.d.ts", border.replaceAll(...TYPES));
+  for (const [name, place] of [
+    ["engine/assur_web.d.ts", path.join(ENGINE, "assur_web.d.ts")],
+    ["types/edit.d.ts", "crates/assur-edit/types.d.ts"],
+    ["types/file.d.ts", "crates/assur-file/types.d.ts"],
+    ["types/web.d.ts", "crates/assur-web/types.d.ts"],
+  ]) {
+    // In the workspace, types are named from the root of the page.
+    files.set(name, readFileSync(path.join(root, place), "utf8").replaceAll('"assur/types/', '"../types/'));
+  }
   replace(staging, files);
   mkdirSync(to, { recursive: true });
   // On Windows npm is a script of the shell.

@@ -1,4 +1,5 @@
 // Worker that searches for a dwell and reports each mechanism. After an improvement, it waits for the page to show it.
+import { problemsOf } from "assur/core/problem.js";
 import load, { Design } from "assur/pkg/assur_web.js";
 
 /** Ends the wait after an improvement. */
@@ -21,7 +22,8 @@ async function search({ wasm, state, wishes }) {
       if (progress.accepted) await new Promise((resolve) => (goOn = () => resolve(undefined)));
     } while (!progress.end);
   } catch (thrown) {
-    if (!Array.isArray(thrown)) console.error(thrown);
-    postMessage({ problems: Array.isArray(thrown) ? thrown : [{ code: "part_broke" }] });
+    const problems = problemsOf(thrown);
+    if (!problems) console.error(thrown);
+    postMessage({ problems: problems ?? [{ code: "part_broke" }] });
   }
 }

@@ -36,7 +36,9 @@ fn the_load_is_scaled_and_its_times_stay() {
         ("load", -1.0, "out_of_range"),
         ("z1", 30.0, "bad_state"),
     ] {
-        let thrown = value(&simulator.set_dimension(field, wrong, 0.0).unwrap_err());
+        let thrown = value(&problems(
+            &simulator.set_dimension(field, wrong, 0.0).unwrap_err(),
+        ));
         assert_eq!(thrown[0]["code"], code);
     }
     assert!(simulator.drag("sun", 0.0, 1.0, 1.0).is_err());
