@@ -26,7 +26,7 @@ pub(crate) struct FamilySummary {
     changes: Vec<[f64; 3]>,
 }
 
-/// Members of the family from one end to the other, within the lengths that are searched.
+/// Sampled members of the family, in order along it, whose l₂ and l₃ are within the bounds of the task.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilyCurve {
