@@ -1,12 +1,12 @@
-// A mechanism by name or of a document, and its poses, without the state of the page around it.
+// A mechanism from the catalogue or from a document, with its poses. The caller needs no state of the page.
 import { Simulator, catalogue } from "./engine/assur_web.js";
 
-/** How a mechanism is viewed, for the engine as well. */
+/** Default view of a mechanism, in the form that the engine expects. */
 const VIEW = Object.freeze({
   phi_deg: 0, s: 0, t: 0, playing: false, direction: 1, speed: 1, lang: "en", traces: false, plot: "angles", omega: 1, epsilon: 0,
 });
 
-/** How many lists a pose comes in. */
+/** Number of lists in the result of the simulator's `at`. */
 const LISTS = 4;
 
 export class Mechanism {

@@ -61,8 +61,8 @@ pub(crate) fn read_tagged<T: DeserializeOwned>(given: &JsValue, tag: &str) -> Re
     variant.map_err(|problem| thrown([problem]))
 }
 
-/// Takes the name of a variant from the start of a problem's path, where the page has none. Without the name there, the
-/// variant itself is unknown.
+/// Removes the name of a variant from the start of a problem's path, because the page's object has no such level. If
+/// the path does not start with the name, the variant itself is unknown, and the path becomes `tag`.
 fn outside_variant(problem: Problem, name: &str, tag: &str) -> Problem {
     let Problem::BadState { path, detail } = problem else {
         return problem;
@@ -128,7 +128,7 @@ fn member(of: &JsValue, name: impl Into<JsValue>) -> JsValue {
     Reflect::get(of, &name.into()).unwrap_or_default()
 }
 
-/// Converts problems to an exception of the page: an array of `{code, …}`.
+/// Converts problems to the exception that the page expects: an array of `{code, …}`.
 pub(crate) fn thrown(problems: impl IntoIterator<Item = impl Into<Problem>>) -> JsValue {
     let problems: Vec<Problem> = problems.into_iter().map(Into::into).collect();
     to_js(&problems)

@@ -9,7 +9,7 @@ pub(super) fn place(x: f64, y: f64) -> Result<Point, JsValue> {
     finite.then_some(place).ok_or_else(|| one(unknown("place")))
 }
 
-/// One problem as an exception of the page.
+/// Converts one problem to the exception that the page expects.
 pub(crate) fn one(problem: Problem) -> JsValue {
     thrown([problem])
 }

@@ -17,7 +17,7 @@ const MEMBERS: usize = 240;
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilySummary {
-    /// Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); null if there is none.
+    /// Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); a null maximum means no limit.
     lengths: [[Option<f64>; 2]; 3],
     /// Range of the coupler's angle in each position, radians.
     couplers: [[f64; 2]; 2],
