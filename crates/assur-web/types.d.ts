@@ -10,19 +10,19 @@ export type Traced = { document: Fields & { tracers: { name?: string, link: stri
 export type Imported = { read: Document, left_out: Problem[] };
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
-/** Visible runs of the curve; each point is x, y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
+/** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
 export type AssembliesHere = { 
-/** Assemblies in ascending order of their angles. */ all: Array<AssemblyHere>, 
+/** Assemblies in ascending order of `angle`. */ all: Array<AssemblyHere>, 
 /** Index of the assembly in which the document moves; none if that assembly has no pose at this input. */ shown: number | null, 
 /** Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers. */ complex: number | null, 
 /** Whether all assemblies were found. */ whole: boolean, };
 export type AssemblyHere = { 
 /** Number by which the page shows and chooses the assembly. A mixer has its own numbering. */ number: number, 
-/** Angle that determines the numbering, in [0, 2π). */ angle: number, 
+/** Angle of the link by which assemblies are numbered, in [0, 2π); 0 if there is no such link. */ angle: number, 
 /** Poses of the bodies, in the format of a frame of the animation. */ bodies: Array<number>, };
 export type AxisLayout = { 
 /** Name of the quantity; none for the input. */ name: string | null, 
-/** For an angle, the number that denotes it, if it has one. */ number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
+/** The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle. */ number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
 export type Belonging = { 
 /** For each assembly, in the order of their numbers, the index of its branch. */ branches: Array<number>, 
 /**
@@ -49,7 +49,7 @@ export type CircleHere = { point: string,
 export type ClassSummary = { freedoms: number, count: number, };
 export type ConditionSummary = { 
 /** Number of the condition in the paper. */ number: number, 
-/** The length that the condition concerns. */ about: string | null, 
+/** The length that the condition concerns; null for condition (13). */ about: string | null, 
 /** The two numbers whose signs are compared; null if a denominator is zero. */ values: [number | null, number | null], 
 /** Whether the condition holds as printed. */ holds: boolean, 
 /** Whether the conclusion of the condition is true. */ truth: boolean, };
@@ -63,7 +63,7 @@ export type CourseSummary = {
 /** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
 /** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
@@ -83,7 +83,7 @@ export type DwellSummary = { arc: [number, number], band: [number, number], };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
 export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
 export type FamilySummary = { 
-/** Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); null if there is none. */ lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
+/** Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); a null maximum means no limit. */ lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
 /** Range of the coupler's angle in each position, radians. */ couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /** l₁, l₂, l₃ at each change of the Grashof type. */ changes: Array<[number, number, number]>, };
 export type FoundHere = { name: string, rates: [number, number], };
@@ -101,12 +101,12 @@ export type GearTrainSummary = { bounds: [number, number, number, number], roles
 /** The shaft that is not driven. */ free: string, speeds: BodyNumbers, 
 /** Weights a and b in Willis's equation, a ω₁ + b ω₄ = (a + b) ω₃. */ weights: [number, number], ratios: Array<RatioSummary>, identities: Array<IdentitySummary>, conditions: Array<TrainConditionSummary>, 
 /** Whether all conditions are met. */ builds: boolean, 
-/** Similar trains that can be built, if this one cannot. */ suggestions: Array<SuggestionSummary>, 
+/** Similar trains that can be built; empty if this train can be built. */ suggestions: Array<SuggestionSummary>, 
 /** Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number. */ in_contact: number | null, mobility: MobilitySummary, 
-/** Gaps between the magnets at sun and ring, mm. */ gaps: [number, number] | null, axis_distance: number, 
-/** Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s. */ velocities: VelocitySummary | null, 
+/** Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels. */ gaps: [number, number] | null, axis_distance: number, 
+/** Distances (mm) and velocities (mm/s) of points at the final speeds of the shafts; null for bevel wheels. */ velocities: VelocitySummary | null, 
 /** External torques on the shafts, neglecting losses, as multiples of the torque on the sun. */ torques: ShaftNumbers, 
-/** Power that each shaft takes in. */ powers: ShaftNumbers, 
+/** Power that each shaft takes in: its value in `torques` times its speed in revolutions per minute. */ powers: ShaftNumbers, 
 /** Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held. */ limits: BodyNumbers | null, 
 /** Natural frequencies of the meshes with sun and ring, Hz. */ swings: [number, number] | null, 
 /** The greatest torque of the load, and its upper limit, N·m. */ load: PullSummary | null, 
@@ -115,7 +115,7 @@ export type GearTrainSummary = { bounds: [number, number, number, number], roles
 /** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
 /** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
@@ -136,7 +136,7 @@ export type IdentitySummary = { terms: [string, string], sum: number, };
 export type InflectionHere = { link: string, diameter: number | null, reason: Problem | null, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
 /** W in a nearby pose, if one was found. */ generic: number | null, 
-/** Whether the scheme moves only for an instant: W is not 0, but there is no nearby pose. */ instantaneous: boolean, };
+/** Whether the scheme moves only for an instant: by rank W is not 0, but there is no nearby pose. */ instantaneous: boolean, };
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
 /** Whether the length of the vector is known before the point is found. */ known: boolean, };
@@ -150,12 +150,12 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
 /** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
 /** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
-/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type ListedSummary = { name: string, 
 /** `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`. */ what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /** The subscript in the symbol of the read-out, if the read-out is an angle. */ number: string | null, role: string, };
@@ -166,30 +166,30 @@ export type MendedSummary = { list: Array<Array<ChangedPair>>,
 /** Whether the list is complete. */ complete: boolean, };
 export type MixerSummary = { 
 /** Speed ratios of the peripheral wheels to the rocker. */ ratios: Array<number>, 
-/** Pairs of peripheral wheels that would overlap. */ overlaps: Array<[number, number]>, 
+/** Pairs of peripheral wheels that would overlap, as indices from 0. */ overlaps: Array<[number, number]>, 
 /** Direction from wheel 4 in which another wheel has the most room, radians. */ free_direction: number, equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
 /** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
 /** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
-/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
 export type MotionSummary = { equations: Array<EquationSummary>, four_bars: Array<FourBarSummary>, transmissions: Array<TransmissionSummary>, points: Array<string>, profile: ProfileSummary | null, 
 /** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
 /** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
 /** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
-/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
 /** Name of the link whose angle numbers the assemblies. */ output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
 /** Whether all branches were found and each was followed to its ends. */ whole: boolean, };
@@ -200,12 +200,12 @@ export type PairSummary = { name: string, freedoms: number, constraints: number,
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
 export type PlaneSummary = { 
-/** Minimum and maximum, the same for both lengths. */ bounds: [number, number], values: Array<Array<number>>, };
+/** Minimum and maximum length, the same on both axes. */ bounds: [number, number], values: Array<Array<number>>, };
 export type PolygonPictureHere = { 
 /** Display list. */ list: Array<number>, 
 /** Names to which the labels of the list refer. */ names: Array<string>, 
-/** Left, bottom, right, top. */ bounds: [number, number, number, number], 
-/** Length of the scale bar. */ bar: number, 
+/** Rectangle of the picture in the coordinates of `list`: left, bottom, right, top. */ bounds: [number, number, number, number], 
+/** Velocity or acceleration that the scale bar represents. */ bar: number, 
 /** Usual scale of the motion divided by the scale of this picture; 1 if the polygon fits at the usual scale. */ smaller: number, };
 export type PolygonStepHere = { 
 /** Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad. */ kind: "pole" | "equation" | "image" | "group", 
@@ -222,7 +222,7 @@ export type PrintedSummary = {
 /** ΣJ of these lengths; dimensionless, since J is computed from zᵢ = lᵢ/l₀. */ least: number, 
 /** ΣJ of the drawn linkage. */ drawn: number, };
 export type ProfileSummary = { 
-/** Width of the band, degrees or in the unit of the lengths. */ width: number, 
+/** Width of the dwell band: degrees for an angle, otherwise in the unit of the lengths. */ width: number, 
 /** Stroke from minimum to maximum; none if the output keeps rotating. */ stroke: number | null, dwell: DwellSummary | null, phases: Array<PhaseSummary>, };
 export type PullSummary = { value: number, max: number, };
 export type RateSummary = { field: string, link: string, rate: number, role: string, };
@@ -242,25 +242,25 @@ export type SchemeSummary = {
 /** The result of the cuts, if they open every contour. */ sections: SectionsSummary | null, 
 /** The pairs of a contour that is still closed after the cuts. */ closed: Array<string>, 
 /** Links that the cuts disconnect. */ apart: Array<string>, 
-/** Cuts that open every contour. */ automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
+/** Names of automatically chosen cuts that open every contour. */ automatic: Array<string>, plane: JudgedSummary | null, space: JudgedSummary | null, 
 /** The first pair that lacks data needed for the rank. */ missing: string | null, mended: MendedSummary | null, };
 export type SectionsSummary = { cuts: Array<string>, 
 /** Numbers Pᵢ of remaining pairs with i freedoms. */ left: Array<ClassSummary>, open: number, removed: number, open_spatial: number, removed_spatial: number, mobility: number, redundant: number, by_loops: number, loops: Array<LoopSummary>, };
 export type SeriesLayout = { name: string, 
-/** For an angle, the number that denotes it, if it has one. */ number: string | null, role: string, 
-/** The value of the curve, if it is constant. */ level: number | null, };
+/** The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle. */ number: string | null, role: string, 
+/** The value of the curve, if it is constant; radians for an angle. */ level: number | null, };
 export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
 export type SolutionSummary = { 
 /** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
 /** Starting angles φ₂₀ of the output and φ₃₀ of the input, radians. */ starts: [number, number], 
-/** The greatest gap at the coupler over all positions. */ gap: number, 
+/** The greatest gap at the coupler over all positions, in the unit of lengths. */ gap: number, 
 /** Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths. */ sum: number, 
 /** Maximum error of the output angle, radians; none if a position is not reached. */ output_error: number | null, 
 /** Whether a length is at a bound of the search. */ at_bound: boolean, verdict: VerdictSummary | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
-/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
 export type SweepColumn = { 
 /** Name of the column, as in all tables: `rocker.dangle`. */ name: string, 
@@ -274,10 +274,10 @@ export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<Swe
 /** Table of the compared mechanism at the same inputs. */ compared: SweepTable | null, };
 export type SynthesisSummary = { 
 /** Source of the solutions. */ from: "family" | "exact" | "found" | "trial", 
-/** The numbered solutions, in numerical order. */ solutions: Array<SolutionSummary>, 
+/** The numbered solutions, in numerical order; empty for a family. */ solutions: Array<SolutionSummary>, 
 /** Numbers of the solutions, from 1, in the order in which they are shown. */ shown: Array<number>, 
 /** Whether the output's angles were probably given in the direction from D to C, and so are off by 180°. */ turned: boolean, 
-/** Number of the drawn solution, from 1. */ number: number | null, drawn: SolutionSummary, 
+/** Number of the drawn solution, from 1; null if it belongs to a family or has trial lengths. */ number: number | null, drawn: SolutionSummary, 
 /** Length of the frame, l₀. */ frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
 /** Number of positions that can be closed, over l₁ (coupler) and l₂ (output). */ closed: PlaneSummary, 
 /** Result of the paper's method, if the document gives every coupler angle. */ printed: PrintedSummary | null, 
@@ -288,12 +288,12 @@ export type SynthesisSummary = {
 /** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, outputs: Array<OutputSummary>, 
 /** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
 /** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
-/** Names of choices that plot a group of quantities together. */ overviews: Array<string>, plotted: Array<string>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
-/** The pairs with a redundant constraint; not listed if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+/** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
 export type TickLayout = { value: number, at: number, };
 export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
@@ -307,11 +307,11 @@ export type WantedSummary = {
 /** Angle φ₂ of the output, including its starting angle, radians. */ output: number, 
 /** Angle φ₃ of the input, including its starting angle, radians. */ input: number, 
 /** Angle φ₁ of the coupler of the drawn linkage, radians. */ coupler: number, 
-/** Gap of the contour at the coupler. */ error: number, 
+/** Gap of the contour at the coupler of the drawn linkage, in the unit of lengths. */ error: number, 
 /** Terms of the main equation: e₂·e₃, Z, e₀·e₂/z₃, e₀·e₃/z₂, with eᵢ the unit vectors of the links and zᵢ = lᵢ/l₀. */ equation: [number, number, number, number], 
 /** Coupler angle φ₁ at which the conditions are evaluated, radians. */ at: number, 
-/** Gap of the contour at the coupler angle `at`. */ open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
-/** The condition omitted by theorem 5. */ pair: LeftOutSummary | null, 
+/** Gap of the contour at the coupler angle `at`, in the unit of lengths. */ open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
+/** The condition omitted by theorem 5; null if coupler and output are parallel. */ pair: LeftOutSummary | null, 
 /**
  * The range of l₁ in which l₂ is positive, and that in which l₃ is; null if condition (13) fails. A null range is
  * empty; a null maximum means no limit.

@@ -218,7 +218,7 @@ export class Page {
     this.redraw();
   }
 
-  /** @param {Words} words words, whose unit of length is replaced by the document's */
+  /** @param {Words} words words of the page; their unit of length is replaced by the document's */
   #say(words) {
     const measured = words.measured(this.engine.lengths);
     if (measured === this.words) return;

@@ -1,6 +1,6 @@
-// Widths of texts on a canvas, remembered because measuring a text takes a browser as long as drawing it.
+// Widths of text on a canvas, cached because browsers take as long to measure a text as to draw it.
 
-/** Number of remembered widths at which all are forgotten. */
+/** Number of cached widths at which the cache is cleared. */
 const MAX_REMEMBERED = 400;
 
 /** @type {Map<string, number>} widths by font and text; in the text, 0 stands for every digit */

@@ -1,4 +1,5 @@
-// Marks painted over the drawing while it is edited: the selection, pressed places, the next bar, locked dimensions.
+// Marks painted over the drawing while it is edited: the selection, the points and links pressed so far, the next bar,
+// locked dimensions.
 import { level } from "assur/drawing/tools.js";
 
 /**

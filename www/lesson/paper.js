@@ -157,7 +157,7 @@ export function labelled(item) {
 /**
  * @param {Item} item
  * @param {Words} words
- * @returns {Node[]} the reason, whether the item holds, and the correct formulas
+ * @returns {Node[]} the comment on the item, if there is one; then whether the item holds, and the correct formulas
  */
 function verdict(item, words) {
   const key = keyOf(item.item);

@@ -104,7 +104,7 @@ export class ChartView {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     const { only } = snapshot.state.view;
-    // Painting a text may have left another value.
+    // On a new or resized canvas the value is "miter".
     context.lineJoin = "round";
     const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };

@@ -147,7 +147,7 @@ fn shortened(text: &str) -> String {
     format!("{beginning}…{end}")
 }
 
-/// Rewrites a message of serde in JSON terms.
+/// Rewrites a serde error message in JSON terms.
 fn plain(detail: &str) -> String {
     let replaced = |text: &str, words: &[(&str, &str)]| {
         let mut words = words.iter();

@@ -17,8 +17,9 @@ impl Projection {
         Self::from([Vector3::x(), Vector3::y()])
     }
 
-    /// Returns a view with z upwards. The viewer looks along the y-axis rotated about z through the angle `round`, from
-    /// the elevation `above`; both angles are in radians.
+    /// Returns a view with z upwards. With both angles zero, the viewer looks in the direction of +y. `round` turns
+    /// this direction about z, counter-clockwise from above; `above` is the viewer's angle of elevation. Both are in
+    /// radians.
     pub(crate) fn space([round, above]: [f64; 2]) -> Self {
         let ([sin, cos], [high, level]) = ([round.sin(), round.cos()], [above.sin(), above.cos()]);
         let away = Vector3::new(-sin, cos, 0.0);

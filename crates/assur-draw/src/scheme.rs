@@ -178,8 +178,8 @@ impl SchemeFigure {
         self.projection.raised(to, self.places[pair])
     }
 
-    /// Returns the drawing with its last cut open by the share `opened`. The numbers are `1, 0, 0, 0`, which place one
-    /// body, the sheet, at x = y = 0 and θ = 0; then a display list.
+    /// Returns the drawing with its last cut open by the share `opened`: the number of bodies, 1; the pose x = 0,
+    /// y = 0, θ = 0 of this body, the sheet; then a display list.
     pub fn frame(&self, opened: f64) -> Vec<f32> {
         let moved = self.opened(opened);
         let mut list = List::default();

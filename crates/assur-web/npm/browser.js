@@ -1,4 +1,4 @@
-// For browsers and bundlers: the engine is fetched from beside its script, and ready when this module is.
+// Entry for browsers and bundlers. The engine is fetched from the folder of its script, and is ready after the import.
 import init from "./engine/assur_web.js";
 
 await init();

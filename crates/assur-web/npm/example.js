@@ -1,4 +1,4 @@
-// A pose of a mechanism of the catalogue: `node example.js jansen 30`
+// Prints the values of a mechanism of the catalogue at a crank angle in degrees: `node example.js jansen 30`
 import { Mechanism } from "assur";
 
 const [, , id = "jansen", degrees = "30"] = process.argv;

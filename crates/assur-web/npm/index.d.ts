@@ -11,23 +11,23 @@ export interface EngineError extends Error {
   readonly problems: readonly Problem[];
 }
 
-/** A mechanism of the catalogue, or of a document of yours. */
+/** A mechanism, from the catalogue or from a document. */
 export class Mechanism<K extends Kind = Kind> {
   /**
-   * @param document as the page saves it
+   * @param document the field `document` of a file saved by the page
    * @throws EngineError
    */
   constructor(kind: K, document: DocumentOf<K>["document"], view?: Partial<View>);
   /**
-   * @param id as in the address of the page: `jansen`
-   * @throws RangeError if the catalogue has no such name
+   * @param id name in the catalogue, such as `jansen`
+   * @throws RangeError if the catalogue has no mechanism of this name
    */
   static named(id: string): Mechanism;
   /** Structure of the mechanism, and its motion as a whole: range of the input, dead points, swings. */
   readonly summary: Summaries[K];
   /**
-   * @param input of the driver: radians, a length or seconds
-   * @throws EngineError if it cannot be assembled
+   * @param input input of the driver: radians, a length or seconds
+   * @throws EngineError if there is no pose at this input
    */
   pose(input: number): {
     /** x, y and angle of each rigid body of the drawing. */

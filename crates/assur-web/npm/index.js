@@ -1,4 +1,4 @@
-// For Node.js: the engine is ready when this module is.
+// Entry for Node.js. The engine is ready after the import.
 import { readFile } from "node:fs/promises";
 import init from "./engine/assur_web.js";
 

@@ -1,4 +1,4 @@
-// A mechanism by name or of a document, and its poses, without the state of the page around it.
+// A mechanism from the catalogue or from a document, with its poses. The caller needs no state of the page.
 import { Simulator, catalogue, usualView } from "./engine/assur_web.js";
 
 export class Mechanism {

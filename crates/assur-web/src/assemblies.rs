@@ -17,7 +17,7 @@ use crate::simulator::{bad, one};
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AssembliesHere {
-    /// Assemblies in ascending order of their angles.
+    /// Assemblies in ascending order of `angle`.
     pub(crate) all: Vec<AssemblyHere>,
     /// Index of the assembly in which the document moves; none if that assembly has no pose at this input.
     pub(crate) shown: Option<usize>,
@@ -33,7 +33,7 @@ pub(crate) struct AssembliesHere {
 pub(crate) struct AssemblyHere {
     /// Number by which the page shows and chooses the assembly. A mixer has its own numbering.
     pub(crate) number: usize,
-    /// Angle that determines the numbering, in [0, 2π).
+    /// Angle of the link by which assemblies are numbered, in [0, 2π); 0 if there is no such link.
     angle: f64,
     /// Poses of the bodies, in the format of a frame of the animation.
     bodies: Vec<f32>,
@@ -132,9 +132,9 @@ pub(crate) struct Belonging {
     reached: Vec<Option<Vec<usize>>>,
 }
 
-/// Number of steps per turn of the input.
+/// Number of sampling steps along a branch, per turn of a crank or per arc of a driven slide.
 const STEPS: f64 = 240.0;
-/// Minimum number of steps per arc of a branch.
+/// Minimum number of sampling steps along an arc of a branch.
 const MIN_STEPS: f64 = 24.0;
 
 #[wasm_bindgen]
@@ -181,7 +181,7 @@ impl AllMotions {
     }
 
     /// Returns the branches of the assemblies at an input, and the way to each assembly from the one with index
-    /// `number`: `{branches, reached}`.
+    /// `number`: `{branches, reached}`. Both lists are empty if an assembly is on no known branch.
     #[wasm_bindgen(unchecked_return_type = "Belonging")]
     pub fn belonging(&self, input: f64, number: usize) -> JsValue {
         let branches = self.branches_at(input).unwrap_or_default();
@@ -221,7 +221,8 @@ impl AllMotions {
             let mut last: Option<[f64; 2]> = None;
             for step in 0..=steps as usize {
                 let part = step as f64 / steps;
-                // Near a fold the output varies as the square root of the input's distance from the fold.
+                // Near a fold the output varies as the square root of the input's distance from it. More samples are
+                // therefore taken near the ends of the arc.
                 let part = if cycle.is_full() {
                     part
                 } else {

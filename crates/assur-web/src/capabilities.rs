@@ -21,7 +21,7 @@ pub(crate) trait Capabilities {
     /// Summary of the document; the field `moves` of the summary says whether the document moves.
     fn summary(&self) -> JsValue;
 
-    /// The rigid part of the drawing; by default that of the moving linkage, or empty without one.
+    /// The shapes that move rigidly with bodies; by default those of the moving linkage, or none without one.
     fn rigid(&self) -> Rigid<'_> {
         let figure = self.linkage().map(Moving::figure);
         figure.map(Rigid::from).unwrap_or_default()
@@ -139,10 +139,10 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step, and −1 if the input turned back, otherwise 1.
+    /// The input after a step `by`; then −1 if the input turned back at the end of its range, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
-    /// The plots. For an endless motion, they cover the span around an input.
+    /// The plots against the input. If the motion is endless, they cover the span of time that contains `around`.
     fn chart(&self, around: f64) -> Cow<'_, Chart>;
 
     /// The plot of one quantity against another that replaces the plots against the input, if any.
@@ -151,16 +151,16 @@ pub(crate) trait Moves {
     /// The numbers of links, by the links' names. A number denotes the angle of its link.
     fn numbers(&self) -> &BTreeMap<String, String>;
 
-    /// The motion as a table, with this number of rows per period or, without a period, per range.
+    /// The motion as a table, with this number of steps per turn of a crank, or over the range of any other input.
     fn table(&self, steps: u32) -> SweepTable;
 }
 
-/// The rigid part of a drawing: shapes that move with the bodies.
+/// Shapes of a drawing that move rigidly with the bodies.
 #[derive(Default)]
 pub(crate) struct Rigid<'a> {
-    /// Names that labels refer to by number.
+    /// Names to which the labels in `list` refer by index.
     pub(crate) names: &'a [String],
-    /// Display list of the rigid part.
+    /// Display list of the shapes.
     pub(crate) list: &'a [f32],
 }
 

@@ -76,7 +76,7 @@ pub(crate) struct AgainstLayout<'a> {
     y: AxisLayout<'a>,
     physical: bool,
     role: &'static str,
-    /// Visible runs of the curve; each point is x, y in CSS pixels, then the input.
+    /// Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input.
     curve: Vec<Vec<f64>>,
 }
 
@@ -86,7 +86,7 @@ pub(crate) struct AgainstLayout<'a> {
 pub(crate) struct AxisLayout<'a> {
     /// Name of the quantity; none for the input.
     name: Option<&'a str>,
-    /// For an angle, the number that denotes it, if it has one.
+    /// The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle.
     number: Option<&'a str>,
     #[cfg_attr(test, ts(type = "0 | 1 | 2"))]
     order: usize,
@@ -132,10 +132,10 @@ pub(crate) struct TickLayout {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct SeriesLayout<'a> {
     name: &'a str,
-    /// For an angle, the number that denotes it, if it has one.
+    /// The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle.
     number: Option<&'a str>,
     role: &'static str,
-    /// The value of the curve, if it is constant.
+    /// The value of the curve, if it is constant; radians for an angle.
     level: Option<f64>,
 }
 

@@ -35,7 +35,7 @@ pub(crate) struct Movement {
 #[wasm_bindgen]
 pub struct Design {
     search: Search,
-    /// Residual of the dwell at the start of the search.
+    /// [`Evaluation::residual`] of the original linkage.
     before: f64,
 }
 
@@ -77,7 +77,7 @@ impl Design {
         #[wasm_bindgen(unchecked_param_type = "Wishes")] wishes: JsValue,
     ) -> Result<Self, JsValue> {
         let state = read(&state)?;
-        // JSON would refuse a number that is not finite, which the search names itself.
+        // JSON would refuse NaN and infinity. Read directly, they reach the search, which reports their field.
         let wishes: Wishes = serde_wasm_bindgen::from_value(wishes).map_err(|error| {
             thrown([Problem::BadState {
                 path: "wishes".to_owned(),
@@ -88,8 +88,9 @@ impl Design {
     }
 
     /// Evaluates the next mechanism: `{judged, accepted, before, reached: {arc, stroke, residual, singularity_margin},
-    /// end, document}`. `before` is the residual at the start; `reached` describes the best mechanism so far. `end` is
-    /// `fulfilled`, `settled` or null. `document` has the changed fields, if the mechanism was accepted.
+    /// end, document}`. `before` is the original's residual; `reached` describes the best mechanism so far. `end` is
+    /// `fulfilled`, `settled` or, if the search goes on, null. `document` has the changed fields; null if the mechanism
+    /// was not accepted.
     #[wasm_bindgen(unchecked_return_type = "StepSummary")]
     pub fn step(&mut self) -> JsValue {
         let Progress {

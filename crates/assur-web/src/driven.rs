@@ -47,7 +47,7 @@ impl Driven {
         }
     }
 
-    /// The handle of the driver, if the document has one driver and it is not a crank on a moving link.
+    /// The handle of the only driver; none if there are several drivers, or if the driver is a crank on a moving link.
     pub(crate) fn of(document: &LinkageDocument, mechanism: &Mechanism) -> Option<Self> {
         let [driver] = &document.drivers[..] else {
             return None;

@@ -4,7 +4,7 @@ use assur::mechanism::{Constraint, ConstraintKind, FRAME, LinkOrFrame, Mechanism
 use serde::Serialize;
 
 /// Subject of a constraint equation. The `points` of an offset are the sliding point and two points of its line. `on`
-/// and `carrier` are the bodies relative to which links turn.
+/// is the body with the line of a slide; `carrier` is the body to which both wheels in mesh are hinged.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "snake_case")]

@@ -278,7 +278,7 @@ impl Moving {
         pose.map_err(|unsolved| self.problem(&unsolved))
     }
 
-    /// Turns a missing pose, or missing derivatives, into a problem of the document.
+    /// Turns the reason why an input has no pose, or no derivatives, into a problem of the document.
     pub(crate) fn problem(&self, unsolved: &Unsolved) -> Problem {
         (self.explain)(self.mechanism(), unsolved)
     }

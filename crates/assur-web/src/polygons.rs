@@ -27,9 +27,9 @@ pub(crate) struct PolygonPictureHere {
     list: Vec<f32>,
     /// Names to which the labels of the list refer.
     names: Vec<String>,
-    /// Left, bottom, right, top.
+    /// Rectangle of the picture in the coordinates of `list`: left, bottom, right, top.
     bounds: [f64; 4],
-    /// Length of the scale bar.
+    /// Velocity or acceleration that the scale bar represents.
     bar: f64,
     /// Usual scale of the motion divided by the scale of this picture; 1 if the polygon fits at the usual scale.
     smaller: f64,

@@ -4,15 +4,15 @@ use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{OutputProfile, PhaseKind};
 use serde::Serialize;
 
-/// Default width of a band for an angle, degrees.
+/// Default width of the dwell band of an angle, degrees.
 const BAND: f64 = 0.1;
-/// Default width of a band for a length, as an approximate fraction of the linkage's size.
+/// Default width of the dwell band of a length, as a fraction of the linkage's size, before it is rounded.
 const FINE: f64 = 1e-3;
 
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ProfileSummary {
-    /// Width of the band, degrees or in the unit of the lengths.
+    /// Width of the dwell band: degrees for an angle, otherwise in the unit of the lengths.
     width: f64,
     /// Stroke from minimum to maximum; none if the output keeps rotating.
     stroke: Option<f64>,
@@ -20,7 +20,7 @@ pub(crate) struct ProfileSummary {
     phases: Vec<PhaseSummary>,
 }
 
-/// The longest arc of the input with the output inside the band: its ends, and the output's minimum and maximum.
+/// The longest dwell: the ends of its arc of the input, and the output's minimum and maximum over the arc.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DwellSummary {
@@ -36,7 +36,8 @@ pub(crate) struct PhaseSummary {
     arc: [f64; 2],
 }
 
-/// The width of a band in the units of the page and of the engine; the default width if none is given.
+/// The width of a dwell band, first in the page's unit (degrees for an angle), then in the engine's (radians). `width`
+/// is in the page's unit; if it is none, the default width is returned.
 pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>) -> (f64, f64) {
     if quantity.is_angle() {
         let width = width.unwrap_or(BAND);

@@ -58,7 +58,7 @@ impl Simulator {
         to_js(&unit)
     }
 
-    /// Whether documents of this kind may have a field `unit`.
+    /// Whether documents of the open document's kind may have a field `unit`; false before the first `set`.
     #[wasm_bindgen(js_name = choosesLengths)]
     pub fn chooses_lengths(&self) -> bool {
         self.lengths.is_some_and(|(_, chooses)| chooses)
@@ -106,7 +106,7 @@ impl Simulator {
         self.moves()?.plotted_at(input).map_err(one)
     }
 
-    /// The problems at an input: the reason why there is no pose, or why derivatives are unbounded.
+    /// The problems at an input: the reason why there is no pose, or why derivatives are unbounded. Otherwise empty.
     ///
     /// # Errors
     /// A call before the first `set`.
@@ -118,7 +118,7 @@ impl Simulator {
     }
 
     /// Names of the read-outs: the input, the transmission and pressure angles of dyads, then every
-    /// quantity with its first (′) and second (″) derivative. Empty if nothing moves.
+    /// quantity with its first (′) and second (″) derivative. Empty if the document does not move.
     ///
     /// # Errors
     /// A call before the first `set`.
@@ -242,7 +242,7 @@ impl Simulator {
         Ok(to_js(&here.ok_or_else(|| one(unknown("assembly")))?))
     }
 
-    /// The change after an assembly is chosen by its number at an input: `{document}` with changed fields, or nothing.
+    /// The change after an assembly is chosen by its number at an input: `{document}` with the changed fields, or `{}`.
     ///
     /// # Errors
     /// No such assembly.
@@ -266,7 +266,7 @@ impl Simulator {
     /// is `{width, height, palette, around}`. Returns the layout of the plots' text.
     ///
     /// # Errors
-    /// A malformed request; a call before the first `set`.
+    /// A malformed request; a call before the first `set`; a document that does not move.
     #[wasm_bindgen(unchecked_return_type = "ChartLayout")]
     pub fn chart(
         &self,
@@ -276,7 +276,7 @@ impl Simulator {
         self.charted(context, request, None)
     }
 
-    /// Draws the plots and those of another simulator, whose curves are thin and dashed if both plot the quantity.
+    /// Draws the plots and, thin and dashed, another simulator's curves of the quantities that both plot.
     ///
     /// # Errors
     /// Those of `chart`; the other simulator's document does not move.
@@ -324,7 +324,7 @@ impl Simulator {
     /// missing value is `null`; the row then has the reason.
     ///
     /// # Errors
-    /// A call before the first `set`.
+    /// A call before the first `set`; a document that does not move.
     #[wasm_bindgen(unchecked_return_type = "SweepTable")]
     pub fn sweep(&self, steps: u32) -> Result<JsValue, JsValue> {
         Ok(to_js(&self.moves()?.table(steps)))
@@ -372,8 +372,8 @@ impl Simulator {
         Ok(to_js(&here))
     }
 
-    /// The polygons of velocities and accelerations at an input, after `shown` steps of their
-    /// construction: `{steps, pictures}`.
+    /// The polygons of velocities and accelerations at an input: `{steps, pictures}`, with all steps of their
+    /// construction, but pictures of only the first `shown` steps.
     ///
     /// # Errors
     /// The reason why there are none: no pose, or unbounded derivatives.

@@ -26,7 +26,7 @@ pub(crate) struct StructureSummary<'a> {
     counts: CountsSummary,
     /// Passive wheels, whose meshes repeat what other meshes do.
     passive: Vec<&'a str>,
-    /// The pairs with a redundant constraint; not listed if there are passive wheels.
+    /// The pairs with a redundant constraint; empty if there are passive wheels.
     redundant: Vec<String>,
     class: String,
     order: usize,
@@ -54,7 +54,7 @@ pub(crate) struct CourseSummary<'a> {
     /// Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
     pub(crate) numbers: &'a BTreeMap<String, String>,
     pub(crate) listed: Vec<ListedSummary<'a>>,
-    /// Names of choices that plot a group of quantities together.
+    /// Choices of the page that plot a group of quantities together, such as `angles`.
     pub(crate) overviews: &'static [&'static str],
     pub(crate) plotted: Vec<String>,
     /// Quantities of the drawn curves: the plotted ones, or the two plotted against each other.
@@ -94,7 +94,7 @@ pub(crate) struct CountsSummary {
     by_count: isize,
 }
 
-/// Range of the input. `full` means that a crank turns fully.
+/// Range of the input, and its arcs. `full`: a crank turns fully, or time goes on without end.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CycleSummary {
@@ -137,7 +137,7 @@ pub(crate) struct FourBarSummary<'a> {
 }
 
 /// The least transmission angle of an RRR dyad, or the greatest pressure angle of an RRP dyad, at the dyad's inner
-/// joint, and the input at which it occurs. None if the motion was not searched.
+/// joint, radians; and the input at which it occurs. Both are null if the motion was not searched.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct TransmissionSummary<'a> {
@@ -150,7 +150,7 @@ pub(crate) struct TransmissionSummary<'a> {
 }
 
 /// Profile of an output. `swing` and `turns` have a value for each arc of the input: `swing` is null if the output
-/// keeps rotating; `turns` is the travel along the arc and back. If not `searched`, only the name is set.
+/// keeps rotating; `turns` is the travel along the arc and back, in turns. If not `searched`, only the name is set.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct OutputSummary {

@@ -151,7 +151,7 @@ fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
     }
 }
 
-/// Runs the tests of random input from a seed, with more input than in a usual run.
+/// Runs the randomized tests from a given seed, with more input than in a usual run.
 pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
     let mut tally = Tally::default();
     for (name, test, scale) in SOAKED {

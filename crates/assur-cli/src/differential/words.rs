@@ -84,7 +84,7 @@ fn member_name(member: Member) -> &'static str {
     }
 }
 
-/// Describes an invalid number in a sentence.
+/// Returns a sentence that says what is wrong with a number.
 fn number(name: &str, fault: Fault) -> String {
     match fault {
         Fault::NotPositive { value } => format!("{name} must be greater than zero, not {value}"),

@@ -116,7 +116,7 @@ pub(super) fn member(error: &MemberError, l2: f64, length: f64) -> String {
     }
 }
 
-/// Explains why a task with free starting angles has no finite number of linkages.
+/// Explains why the linkages of a task with free starting angles cannot be listed.
 pub(super) fn starts(error: StartsError) -> String {
     match error {
         StartsError::Family { freedoms } => format!(

@@ -16,13 +16,13 @@ const ANGLES: [f64; 12] = [
     1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0, 360.0,
 ];
 
-/// Least step of crank angles over a long span, degrees.
+/// Least spacing of crank-angle ticks on a long axis, degrees.
 const FINEST: f64 = 30.0;
-/// Span of an axis below which it counts as short, degrees.
+/// Span of crank angles below which an axis counts as short, degrees.
 const SHORT: f64 = 120.0;
-/// Least step of crank angles over a short span, degrees.
+/// Least spacing of crank-angle ticks on a short axis, degrees.
 const FINEST_OF_SHORT: f64 = 5.0;
-/// Span of an axis below which the step has no least value, degrees.
+/// Span of crank angles below which the spacing of ticks has no least value, degrees.
 const VERY_SHORT: f64 = 20.0;
 
 /// Returns ticks of the crank angle, given in radians, about 50 × `scale` pixels apart.

@@ -147,7 +147,7 @@ impl Figure {
         }
     }
 
-    /// Returns a measure of the distance from each dead point.
+    /// Returns, for each dead point, how the distance of a pose from it is measured.
     fn ends(&self) -> Vec<Clear> {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let ends = motion.dead_points().iter();

@@ -33,13 +33,13 @@ pub(crate) struct MixerSummary<'a> {
     motion: MotionSummary<'a>,
     /// Speed ratios of the peripheral wheels to the rocker.
     ratios: Vec<f64>,
-    /// Pairs of peripheral wheels that would overlap.
+    /// Pairs of peripheral wheels that would overlap, as indices from 0.
     overlaps: Vec<[usize; 2]>,
     /// Direction from wheel 4 in which another wheel has the most room, radians.
     free_direction: f64,
 }
 
-/// Lengths that change when a joint is dragged.
+/// Lengths and assembly number after a joint is dragged; `l2` and `l4` are none if the drag does not change them.
 #[derive(Serialize)]
 struct Lengths {
     #[serde(skip_serializing_if = "Option::is_none")]

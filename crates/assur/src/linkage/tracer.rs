@@ -12,8 +12,8 @@ pub struct TracerSpec {
     pub name: String,
     /// Link that carries the tracer, or the frame.
     pub link: String,
-    /// Position of the tracer in the coordinates of its link: origin at the link's first point, x along the link's
-    /// angle, which is towards its second point. For a wheel with one point, x is along the zero direction of the
+    /// Position of the tracer in the coordinates of its link: origin at the link's first point, x towards its second,
+    /// which is the direction of the link's angle. For a wheel with one point, x is along the zero direction of the
     /// wheel. For the frame, the coordinates are those of the drawing.
     pub at: Vector,
 }

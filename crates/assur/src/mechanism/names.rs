@@ -133,7 +133,7 @@ impl Mechanism {
         bodies.map(|body| self.body_name(body))
     }
 
-    /// Kind of singular pose at a dead point of a step.
+    /// The kind of singular pose that a step reaches at its dead point.
     pub fn singularity(&self, step: StepId) -> Singularity {
         self.steps()[step].singularity()
     }

@@ -170,7 +170,8 @@ impl<'a> OutputProfile<'a> {
         self.stations.len() as isize - ends
     }
 
-    /// Input at which the quantity has a given value on a piece, or the end of the piece nearer to this value.
+    /// Input at which the quantity has a given value on a piece. If the quantity does not reach the value there, the
+    /// input of the end whose value is nearer to it.
     fn input_at(&self, piece: isize, level: f64) -> Option<f64> {
         let [low, high] = [self.station(piece)?, self.station(piece + 1)?];
         let sense = if high[1] < low[1] { -1.0 } else { 1.0 };

@@ -125,8 +125,8 @@ fn even([from, to]: [f64; 2], count: usize, spacing: Spacing) -> Vec<f64> {
         .collect()
 }
 
-/// Samples whose steps shrink to zero towards both ends. They cover half a turn at each end, or half of a shorter arc;
-/// between these parts the density is `turn` samples per turn.
+/// Samples of an arc, crowded towards both ends, where the steps shrink to zero. Each crowded part covers half a turn,
+/// or half of the arc if the arc is shorter than a turn; between the two parts there are `turn` samples per turn.
 fn crowded_to_ends([from, to]: [f64; 2], turns: f64, turn: f64) -> Vec<f64> {
     let eased = |share: f64| 0.5 - 0.5 * (PI * share).cos();
     if turns <= 1.0 {

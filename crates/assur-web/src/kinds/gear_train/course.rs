@@ -32,7 +32,7 @@ pub(crate) struct Course {
     span: f64,
     /// The recorded run of a train under load.
     recording: Option<Recording>,
-    /// Peak torques of the magnetic field in each mesh, under load.
+    /// Peak torque of the magnetic field on the central wheel of each mesh, N·m; none without load.
     peaks: Option<[f64; 2]>,
     plotted: Vec<Quantity>,
     /// Two quantities plotted against each other, in place of the plots over time.
@@ -94,7 +94,7 @@ impl Course {
         self.recording.is_some()
     }
 
-    /// The reason why a run ended before its span, if it did.
+    /// The reason why a run ended before the end of its span, if it did.
     pub(crate) fn halt(&self) -> Option<Halt> {
         self.recording.as_ref().and_then(Recording::halt)
     }

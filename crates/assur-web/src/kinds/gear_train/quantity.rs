@@ -16,7 +16,7 @@ pub(crate) const MESHES: [&str; 2] = ["sun", "ring"];
 pub(crate) enum Quantity {
     /// The angle of a body, by its index in [`Body::ALL`](assur::dynamics::Body::ALL), relative to the observer.
     Angle(usize),
-    /// The load angle of a mesh, by its index in [`Mesh::ALL`], including the angle of all slips.
+    /// The load angle of a mesh, by its index in [`Mesh::ALL`], plus the angle of the slipped periods.
     LoadAngle(usize),
 }
 

@@ -18,7 +18,7 @@ use crate::summary::{CourseSummary, CycleSummary, ListedSummary};
 /// Maximum number of suggested trains.
 const SUGGESTED: usize = 5;
 
-/// Upper limit of the load, as a multiple of the torque that the magnets hold.
+/// Upper limit of the load, as a multiple of the greatest static torque that the magnets hold on the free shaft.
 const OVERLOAD: f64 = 1.5;
 
 /// Summary of a differential. Speeds are in revolutions per minute, after all drives have reached full speed.
@@ -39,21 +39,21 @@ pub(crate) struct GearTrainSummary<'a> {
     conditions: Vec<TrainConditionSummary>,
     /// Whether all conditions are met.
     builds: bool,
-    /// Similar trains that can be built, if this one cannot.
+    /// Similar trains that can be built; empty if this train can be built.
     suggestions: Vec<SuggestionSummary>,
     /// Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number.
     in_contact: Option<u32>,
     mobility: MobilitySummary,
-    /// Gaps between the magnets at sun and ring, mm.
+    /// Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels.
     gaps: Option<[f64; 2]>,
     axis_distance: f64,
-    /// Velocities of points at the final speeds of the shafts; distances in mm, velocities in mm/s.
+    /// Distances (mm) and velocities (mm/s) of points at the final speeds of the shafts; null for bevel wheels.
     velocities: Option<VelocitySummary>,
     /// External torques on the shafts, neglecting losses, as multiples of the torque on the sun.
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     torques: Shafts,
-    /// Power that each shaft takes in.
+    /// Power that each shaft takes in: its value in `torques` times its speed in revolutions per minute.
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     powers: Shafts,

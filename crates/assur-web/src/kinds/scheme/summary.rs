@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::Scheme;
 use crate::summary::HandleSummary;
 
-/// Maximum number of replacements in the summary.
+/// Maximum number of replacements of pairs in the summary.
 pub(crate) const MENDED: usize = 200;
 
 /// Maximum number of pairs in a scheme for which a nearby pose is sought.
@@ -40,7 +40,7 @@ pub(crate) struct SchemeSummary<'a> {
     closed: &'a [String],
     /// Links that the cuts disconnect.
     apart: &'a [String],
-    /// Cuts that open every contour.
+    /// Names of automatically chosen cuts that open every contour.
     automatic: Vec<String>,
     plane: Option<JudgedSummary<'a>>,
     space: Option<JudgedSummary<'a>>,
@@ -120,7 +120,7 @@ pub(crate) struct JudgedSummary<'a> {
     idle: Vec<Vec<&'a str>>,
     /// W in a nearby pose, if one was found.
     generic: Option<usize>,
-    /// Whether the scheme moves only for an instant: W is not 0, but there is no nearby pose.
+    /// Whether the scheme moves only for an instant: by rank W is not 0, but there is no nearby pose.
     instantaneous: bool,
 }
 

@@ -17,7 +17,7 @@ const MEMBERS: usize = 240;
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilySummary {
-    /// Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); null if there is none.
+    /// Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); a null maximum means no limit.
     lengths: [[Option<f64>; 2]; 3],
     /// Range of the coupler's angle in each position, radians.
     couplers: [[f64; 2]; 2],
@@ -26,7 +26,7 @@ pub(crate) struct FamilySummary {
     changes: Vec<[f64; 3]>,
 }
 
-/// Members of the family from one end to the other, within the lengths that are searched.
+/// Sampled members of the family, in order along it, whose l₂ and l₃ are within the bounds of the task.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilyCurve {

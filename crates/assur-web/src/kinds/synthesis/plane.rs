@@ -3,7 +3,7 @@
 use assur::synthesis::four_bar::{Surface, Task};
 use serde::Serialize;
 
-/// Number of cells along each length.
+/// Number of cells along each axis.
 const PARTS: usize = 40;
 
 /// Lower bound of ΣJ before its logarithm is taken, in squares of the frame's length.
@@ -14,7 +14,7 @@ const MIN_SUM: f64 = 1e-9;
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PlaneSummary {
-    /// Minimum and maximum, the same for both lengths.
+    /// Minimum and maximum length, the same on both axes.
     bounds: [f64; 2],
     values: Vec<Vec<f64>>,
 }

@@ -18,13 +18,13 @@ pub(crate) struct SynthesisSummary<'a> {
     /// Source of the solutions.
     #[cfg_attr(test, ts(type = "\"family\" | \"exact\" | \"found\" | \"trial\""))]
     from: &'static str,
-    /// The numbered solutions, in numerical order.
+    /// The numbered solutions, in numerical order; empty for a family.
     solutions: Vec<SolutionSummary>,
     /// Numbers of the solutions, from 1, in the order in which they are shown.
     shown: Vec<usize>,
     /// Whether the output's angles were probably given in the direction from D to C, and so are off by 180°.
     turned: bool,
-    /// Number of the drawn solution, from 1.
+    /// Number of the drawn solution, from 1; null if it belongs to a family or has trial lengths.
     number: Option<usize>,
     drawn: SolutionSummary,
     /// Length of the frame, l₀.
@@ -65,7 +65,7 @@ pub(crate) struct SolutionSummary {
     lengths: [f64; 3],
     /// Starting angles φ₂₀ of the output and φ₃₀ of the input, radians.
     starts: [f64; 2],
-    /// The greatest gap at the coupler over all positions.
+    /// The greatest gap at the coupler over all positions, in the unit of lengths.
     gap: f64,
     /// Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
     sum: f64,

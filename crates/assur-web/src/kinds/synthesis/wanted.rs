@@ -24,17 +24,17 @@ pub(crate) struct WantedSummary {
     input: f64,
     /// Angle φ₁ of the coupler of the drawn linkage, radians.
     coupler: f64,
-    /// Gap of the contour at the coupler.
+    /// Gap of the contour at the coupler of the drawn linkage, in the unit of lengths.
     error: f64,
     /// Terms of the main equation: e₂·e₃, Z, e₀·e₂/z₃, e₀·e₃/z₂, with eᵢ the unit vectors of the links and zᵢ = lᵢ/l₀.
     equation: [f64; 4],
     /// Coupler angle φ₁ at which the conditions are evaluated, radians.
     at: f64,
-    /// Gap of the contour at the coupler angle `at`.
+    /// Gap of the contour at the coupler angle `at`, in the unit of lengths.
     open: f64,
     conditions: Vec<ConditionSummary>,
     theorems: Vec<TheoremSummary>,
-    /// The condition omitted by theorem 5.
+    /// The condition omitted by theorem 5; null if coupler and output are parallel.
     pair: Option<LeftOutSummary>,
     /// The range of l₁ in which l₂ is positive, and that in which l₃ is; null if condition (13) fails. A null range is
     /// empty; a null maximum means no limit.
@@ -55,7 +55,7 @@ pub(crate) struct PrintedSummary {
     drawn: f64,
 }
 
-/// The least-squares fit of Levitsky's weighted difference.
+/// The lengths with the least sum of squares of Levitsky's weighted difference.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct WeightedSummary {
@@ -73,7 +73,7 @@ pub(crate) struct WeightedSummary {
 pub(crate) struct ConditionSummary {
     /// Number of the condition in the paper.
     number: u8,
-    /// The length that the condition concerns.
+    /// The length that the condition concerns; null for condition (13).
     about: Option<&'static str>,
     /// The two numbers whose signs are compared; null if a denominator is zero.
     values: [Option<f64>; 2],

@@ -115,7 +115,7 @@ impl Curve<'_> {
         point.tangent[point.tangent.len() - 1]
     }
 
-    /// The input of the fold between two points a step apart: the root of the rate.
+    /// Input at the fold between two points a step apart, where the rate of the input is zero.
     fn fold_between(&self, here: &CurvePoint, next: &CurvePoint, step_len: f64) -> Option<f64> {
         let [first, last] = [here, next].map(|point| self.rate(point));
         // The input differs from that of the fold by rate² / (2 · slope of the rate). If this is only rounding, the

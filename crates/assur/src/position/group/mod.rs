@@ -241,7 +241,7 @@ impl Group {
         self.elimination.clone_from(&state.work.own_plan);
     }
 
-    /// Sets the unknowns to their nearby values.
+    /// Sets the unknowns to their values in the nearby pose, as a first guess.
     pub(in crate::position) fn guess<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) {
         let own = near.natural[2 * self.first_unknown..].chunks_exact(2);
         for (unknown, guess) in work.unknowns.iter_mut().zip(own) {

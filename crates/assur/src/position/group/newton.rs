@@ -89,7 +89,8 @@ impl Group {
         }
     }
 
-    /// Greatest change of an unknown, relative to its unit; the rate beside each change is ignored.
+    /// Greatest absolute change of a component of any unknown, in that unknown's unit. Each entry of `step` is a change
+    /// and a rate; the rates are ignored.
     fn step_size(&self, step: &[[f64; 2]]) -> f64 {
         let changes = step.chunks_exact(2).zip(&self.units);
         changes.fold(0.0, |most, (change, unit)| {

@@ -9,7 +9,8 @@ use crate::tolerance;
 pub enum ThreePositions {
     /// Exactly one linkage.
     One(Solution),
-    /// At the intersection a length is negative. With that link's angles changed by half a turn there is a linkage.
+    /// A length is negative at the intersection of the two lines. Adding half a turn to that link's angles gives a
+    /// linkage.
     Negative {
         /// z₂.
         output: f64,

@@ -327,7 +327,8 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// Adds (33) to (38), the pair that theorem 5 omits, and the angle δ₊ − δ₋ ([`opening`]).
+    /// Adds three things: relations (33) to (38); the pair of ratios that theorem 5 omits; and the angle δ₊ − δ₋
+    /// ([`opening`]).
     fn cases(&mut self) {
         let [second, third] = [self.sin(3, 1), self.sin(2, 1)];
         if second != 0.0 {
