@@ -120,8 +120,8 @@ export class LessonPanel {
   }
 
   /**
-   * Takes over the progress kept under the name just typed. Replaces no button, because the typing may have been ended by
-   * a press on one, whose click is still to come.
+   * Takes over the progress kept under the name just typed. Replaces no button: a press on one may have ended the
+   * typing, and its click is still to come.
    * @returns {Progress}
    */
   #renew() {

@@ -3,7 +3,7 @@ import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled?: import("assur/state/assembled.js").Assembled }} Summary */
 
-/** What every step shows: traces, the section with a picture of each assembly, and the other assemblies in the drawing. */
+/** View of every step: traces, the section with a picture of each assembly, and the other assemblies drawn. */
 const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 
 /** Control of every step: the section with the pictures and the map of the assemblies. */
