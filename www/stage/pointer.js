@@ -26,8 +26,8 @@ const STILL = 4;
 const STEP = 1.3;
 
 /**
- * `WHEEL`: natural logarithm of the zoom factor for a pixel scrolled. `WHEEL_UNIT`: pixels in a pixel, a line and a page,
- * the units of a wheel event. `PINCHED`: factor by which a pinch on a touchpad counts more than scrolling.
+ * `WHEEL`: natural logarithm of the zoom factor for a pixel scrolled. `WHEEL_UNIT`: pixels in a pixel, a line and a
+ * page, the units of a wheel event. `PINCHED`: factor by which a pinch on a touchpad counts more than scrolling.
  */
 const WHEEL = 0.0015;
 const WHEEL_UNIT = Object.freeze([1, 20, 400]);

@@ -130,7 +130,8 @@ function pitchesEach({ builds, conditions }) {
 
 /**
  * Largest z₄ − z₁ − 2z₂ at which teeth of sun 1, satellite 2 and ring 4 touch. With module m, the satellite's pitch
- * circle is m(z₄ − z₁ − 2z₂)/4 away from each of the others. Teeth of addendum m clear each other only if this gap exceeds 2m.
+ * circle is m(z₄ − z₁ − 2z₂)/4 away from each of the others. Teeth of addendum m clear each other only if this gap is
+ * more than 2m.
  */
 const TEETH_OF_GAPS = 8;
 
