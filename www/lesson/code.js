@@ -4,8 +4,8 @@ import { hash } from "assur/lesson/chance.js";
 /**
  * @typedef {Readonly<{ given: string, tries: number, shown: boolean }>} Answer `given`: the last answer. `tries`: number of judged answers. `shown`:
  * whether the page has shown the right answer
- * @typedef {Readonly<{ lesson: string, name: string, answers: readonly (Answer | null)[] }>} Result `lesson`: digest of the lesson. `name`: of the
- * reader. `answers`: one for each step, null for a step without a question
+ * @typedef {Readonly<{ lesson: string, name: string, answers: readonly (Answer | null)[] }>} Result `lesson`: digest of the lesson. `name`: name
+ * of the reader. `answers`: one for each step, null for a step without a question
  */
 
 /** Versions of the code: the present one, and an older one without numbers of tries. */

@@ -11,7 +11,7 @@ import { changed, withStep } from "assur/lesson/steps.js";
  *   get: (lesson: Written, step: Step) => string | number | null | undefined,
  *   put: (lesson: Written, index: number, value: any) => Written,
  * }>} Field
- * `of`: what the field describes. `sorts`: kinds of question that have the field, by default all. `rows`: number of lines of a longer text.
+ * `of`: what the field describes. `sorts`: kinds of question that have the field, by default all. `rows`: height of the field in lines, for longer text.
  * `most`: greatest number of characters. `numeric`: whether the field holds a number. `get`: reads the field. `put`: changes the lesson.
  */
 

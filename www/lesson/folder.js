@@ -26,7 +26,7 @@ import { holds, open } from "assur/lesson/show.js";
  * }>} Show
  * A document that a button opens. `name`: NAME in the key `ID.show.NAME` of the button's text, where ID is the step's id; without a name the
  * text is "Show it". `preset`: the document. `set`: changed dimensions, by their names as in `controls`. `drive`: another link to drive.
- * `play`: whether the mechanism moves. `overlays`, `plot`: what is shown. `at`: the input, such as the crank angle.
+ * `play`: whether the mechanism moves. `overlays`, `plot`: fields of the view. `at`: the input, such as a crank angle.
  */
 
 /**

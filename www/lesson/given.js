@@ -17,7 +17,7 @@ const LOADED = /^(magnets|bodies|members|load|span_s)\b/;
 const BY_POINTS = /^(links|points)\[|^band$/;
 /** Least number of positions at which their weights matter: fewer positions are met exactly. */
 const WEIGHED = 4;
-/** Field of a driven shaft. For a multiple of another shaft's speed only the factor counts, else all other fields. */
+/** Field of a driven shaft. For a multiple of another shaft's speed only `factor` is printed, else all but `factor`. */
 const DRIVE = /^drives\[(\d)\]\.(\w+)$/;
 
 /** Keys of the words used instead of a dimension's symbol if the names of its points cannot be subscripts. */

@@ -17,7 +17,7 @@ export class Lesson {
   #page;
   /** @type {import("assur/lesson/panel.js").LessonPanel | null} */
   #panel = null;
-  /** Key of the wanted lesson with its form and language, loaded or still loading. */
+  /** Key of the lesson to show, which may still be loading; see `wantedOf`. */
   #wanted = "";
   /** Id of the lesson in the panel. */
   #shown = "";
@@ -198,7 +198,7 @@ export class Lesson {
  * @param {Pick<Entry, "id">} entry
  * @param {boolean} writing
  * @param {Words} words
- * @returns {string} key of the wanted lesson, form and language
+ * @returns {string} key of the lesson, of its language, and of whether it is written or read
  */
 function wantedOf({ id }, writing, { lang }) {
   return `${writing ? "write " : ""}${id} ${lang}`;

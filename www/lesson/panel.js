@@ -120,7 +120,8 @@ export class LessonPanel {
   }
 
   /**
-   * Takes over the progress kept under another name. Rebuilds no button: a press on one may have ended the typing.
+   * Takes over the progress kept under the name just typed. Replaces no button: a press on one may have ended the
+   * typing, and its click is still to come.
    * @returns {Progress}
    */
   #renew() {

@@ -171,7 +171,7 @@ function verdict(item, words) {
  * @returns {Node[]} whether the item holds, and the correct formulas
  */
 function holds({ verdict: held, printed, instead }, words) {
-  // If the paper prints no formula, the one that is shown is ours.
+  // If the paper prints no formula, the one shown is not the paper's, and needs no verdict.
   if (held === "right" && printed.length === 0 && instead.length > 0) return instead.map(math);
   const said = [`lesson.printed.${held}`, ...(instead.length > 0 ? [`lesson.instead.${held}`] : [])].filter((key) => words.has(key));
   return [make("p", { class: "paper-verdict", "data-verdict": held }, [said.map((key) => words.text(key)).join(" ")]), ...instead.map(math)];

@@ -22,7 +22,7 @@ export class Results {
   #table = make("div", { id: "write-table", class: "write-table", role: "status" });
   /** @type {Written | null} */
   #lesson = null;
-  /** @type {Map<string, import("assur/lesson/panel.js").Verdict>} verdicts by step, answer and name; the engine may have to build a mechanism for each */
+  /** @type {Map<string, import("assur/lesson/panel.js").Verdict>} verdicts by step, answer and name, kept because the engine may have to build a mechanism for each */
   #verdicts = new Map();
   /** Number of tables begun so far. */
   #begun = 0;

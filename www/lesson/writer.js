@@ -153,7 +153,7 @@ export class Writer {
 
   /**
    * @param {(lesson: Written, index: number) => Written} change of the lesson at the open step
-   * @returns {boolean} whether the result is a lesson; if not, the reasons are shown
+   * @returns {boolean} whether the result is a valid lesson; if not, the reasons are shown
    */
   #change(change) {
     const { store, engine } = this.#page;

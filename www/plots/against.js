@@ -20,7 +20,10 @@ const TAG = 17;
 /** Dashes of the lines from the dot to the axes. */
 const DASHES = [4, 4];
 
-/** Difference in pixels up to which passes of a curve count as equally near to the pointer; the input then decides. */
+/**
+ * Greatest difference, in pixels, of the distances at which two passes of the curve by the pointer count as equally
+ * near. Of these passes, the one nearest to the current input is taken.
+ */
 const ALIKE = 4;
 
 /**
@@ -157,11 +160,11 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
 
 /**
  * @param {Field} field
- * @param {number} at
- * @param {number} down
- * @param {[number, number]} size
- * @param {number} off
- * @returns the place beside a dot at which its numbers cover the fewest points of the curve
+ * @param {number} at x of a dot
+ * @param {number} down y of the dot
+ * @param {[number, number]} size width and height of its numbers
+ * @param {number} off distance of the numbers from the dot
+ * @returns the place beside the dot at which its numbers cover the fewest points of the curve
  */
 function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
   const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));

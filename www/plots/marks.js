@@ -11,7 +11,10 @@ import { written } from "assur/plots/units.js";
  * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
  */
 
-/** Label of a mark, in pixels at the usual text size. `GAP`: distance. `HEIGHT`: height. `FARTHER`: added distance. */
+/**
+ * Label of a mark, in pixels at the usual text size. `GAP`: its distance from the mark. `HEIGHT`: its height.
+ * `FARTHER`: further distance of the alternative places above and below the mark.
+ */
 const GAP = 5;
 const HEIGHT = 13;
 const FARTHER = 11;
@@ -58,7 +61,8 @@ export function drawMarks(context, panel, covered, snapshot, theme) {
 }
 
 /**
- * Returns the marks in the order of labelling: extrema by falling absolute value, then zeros, one for each input.
+ * Returns the marks in the order of labelling: extrema by falling absolute value, then zeros. Curves that are zero at
+ * the same input share one mark.
  * @param {readonly Mark[]} marks
  * @returns {Mark[]}
  */
@@ -145,8 +149,8 @@ function count(points, { left, top, right, bottom }) {
 /**
  * @param {number} x
  * @param {number} y
- * @param {number} by
- * @returns {Box}
+ * @param {number} by half the side
+ * @returns {Box} square with the centre (x, y)
  */
 function around(x, y, by) {
   return { left: x - by, top: y - by, right: x + by, bottom: y + by };

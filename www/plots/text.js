@@ -78,7 +78,7 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
-/** Ways to name curves, longest first: symbol with constant in words, symbol = constant, symbol, one letter for all. */
+/** Ways to name curves, longest first: symbol and constant value in words, symbol = value, symbol, letter for all. */
 const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
 
 /**

@@ -2,7 +2,7 @@
 import { degrees } from "assur/core/angles.js";
 import { isLength } from "assur/core/symbols.js";
 
-/** A number from `LARGE` up has one decimal instead of three; one from `HUGE` up, at most six significant digits. */
+/** Numbers are written with three decimals, from `LARGE` up with one, and from `HUGE` up with six digits at most. */
 const LARGE = 1e3;
 const HUGE = 1e6;
 

@@ -25,7 +25,10 @@ const STILL = 4;
 /** Zoom factor of one press of + or −. */
 const STEP = 1.3;
 
-/** `WHEEL`: ln of the zoom per pixel. `WHEEL_UNIT`: pixels per pixel, line, page scrolled. `PINCHED`: pinch factor. */
+/**
+ * `WHEEL`: natural logarithm of the zoom factor for a pixel scrolled. `WHEEL_UNIT`: pixels in a pixel, a line and a
+ * page, the units of a wheel event. `PINCHED`: factor by which a pinch on a touchpad counts more than scrolling.
+ */
 const WHEEL = 0.0015;
 const WHEEL_UNIT = Object.freeze([1, 20, 400]);
 const PINCHED = 6;

@@ -281,7 +281,7 @@ export class MechanismView {
     return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
-  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; without joints, of the latter alone, unless nothing is painted */
+  /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; a mechanism without joints counts only if nothing is painted */
   get #whole() {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);

@@ -12,8 +12,8 @@ import { PARTS, edited, withDocument, withFurther, withMechanism, withView } fro
 /**
  * @param {import("assur/types/web.js").Changed} change
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts">} page
- * @returns {boolean} whether the change was taken. After a refused state the previous drawing is still shown; a drag on
- * it does not change a document of another kind.
+ * @returns {boolean} whether the change was taken. It is not if the drawing is of another kind than the document: after
+ * the engine has refused a document, the previous drawing is still shown and can be dragged.
  */
 export function take({ document, input }, { store, model, drafts }) {
   if (model.kind !== store.get().kind) return false;
@@ -22,7 +22,7 @@ export function take({ document, input }, { store, model, drafts }) {
     store.update((state) => withDocument(state, document));
   }
   if (input === undefined) return true;
-  // The input belongs to the motion of the new document.
+  // The model takes the new document first, because the range of the input may have changed.
   model.follow(store.get());
   store.update((state) => model.coordinate.put(state, model.coordinate.place(input)));
   return true;

@@ -76,7 +76,7 @@ export function fromAddress(hash, preset) {
   const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
   if (whole) {
-    // If an address named a preset, parameters of a document would be ignored silently.
+    // An address that names a preset may not have fields of a document: they would be ignored silently.
     if (Object.keys(document).length > 0) throw unreadable();
     return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) }, unreadable());
   }

@@ -19,7 +19,7 @@ const SHARED = Object.freeze(/** @type {const} */ (["traces", "measures", "plot"
 const INPUTS = Object.freeze(["angle", "length"]);
 
 /**
- * Frees a simulator. A simulator that has trapped cannot be freed, because it stays borrowed.
+ * Frees a simulator. A simulator in which a call has trapped stays borrowed, and cannot be freed.
  * @param {Simulator} simulator
  */
 export function discard(simulator) {

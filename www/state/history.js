@@ -59,7 +59,8 @@ export class History {
           this.#pointed = true;
           this.#slid = slider;
         }
-        // Firefox moves a pressed slider before the focus leaves the previous element.
+        // In Firefox the focus leaves the previous element only after a pressed slider has moved. This event is not the
+        // end of the slider's step.
         const left = this.#slid !== null && slider !== this.#slid;
         if (!pressed && !left) this.close();
       }, true);

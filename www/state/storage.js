@@ -17,7 +17,7 @@ const OF_LESSON = /^assur\.lesson\.own\.([^.]+)/;
 /** Key under which a state that could not be read is put aside instead of being overwritten. */
 const UNREAD = "assur.state.unread";
 
-/** Key in the session storage of two addresses: the one that a reload may still load, and the intended one. */
+/** Key, in the session storage, of two addresses: the one that a reload may still load, and the intended one. */
 const LEFT = "assur.left";
 
 /** Shortest interval between writes, in milliseconds: browsers limit how often a page may change its address. */
@@ -53,7 +53,7 @@ export function keep(name, text) {
 
 /**
  * Keeps a text of a lesson. If too many lecturers' lessons have texts, those of the lessons not used for longest are removed.
- * @param {string} name id of the lesson; for a lecturer's lesson `own`, its digest and a name within the lesson
+ * @param {string} name id of the lesson; for a lecturer's lesson, `own.` and its digest, followed for answers by a dot and a key of the reader
  * @param {string} text
  */
 export function keepLesson(name, text) {

@@ -35,7 +35,8 @@ export const TRACER_LIST = Object.freeze({
 });
 
 /**
- * Removes a wheel and its traced points from the document. Later wheels keep their traced points.
+ * Removes a wheel and its traced points from the document. The number of each later wheel falls by one, and its
+ * traced points follow it.
  * @param {number} index
  * @param {MixerDocument} document
  * @returns {Partial<MixerDocument>}

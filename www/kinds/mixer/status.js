@@ -56,7 +56,7 @@ export function mixerStatus() {
 }
 
 /**
- * @param {readonly (import("assur/types/web.js").Between | null)[]} swings one for every arc of the cycle
+ * @param {readonly (import("assur/types/web.js").Between | null)[]} swings one for every arc of the cycle; null if the link turns fully
  * @param {Words} words
  * @returns {Entry}
  */

@@ -11,7 +11,7 @@ import { edited } from "assur/state/state.js";
  * @typedef {NonNullable<Snapshot["summary"]["sections"]>} Sections
  */
 
-/** Time between two cuts, in milliseconds, in which the chain falls open and can be looked at. */
+/** Time between two cuts, in milliseconds: enough to watch the chain fall open and to look at the result. */
 const PAUSE = 1600;
 
 export class MethodView {
@@ -53,7 +53,7 @@ export class MethodView {
     if (closed.length > 0) return [words.text("method.closed", { pairs: closed.join(", ") })];
     if (apart.length > 0) return [words.text("method.apart", { links: apart.map((link) => called(link, words)).join(", ") })];
     if (!sections || document.task != null) return [];
-    // Without cuts W₀ equals W, which a lesson may ask for.
+    // Without cuts W₀ equals W, so a lesson that asks for W hides W₀, too.
     const total = sections.cuts.length > 0 ? numbers.exact(sections.open) : asked(sections.open, "w", snapshot);
     const lines = [words.text("method.open"), `W₀ = ${freedomsOf(sections.left, total, words)}`];
     if (sections.cuts.length > 0) {

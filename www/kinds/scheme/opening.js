@@ -40,7 +40,7 @@ export class Opening {
     if (share < 1) this.#handle = requestAnimationFrame(this.#frame);
   };
 
-  /** @param {number} share */
+  /** @param {number} share of the full opening, from 0 to 1 */
   #open(share) {
     this.#page.model.fallOpen(share);
     this.#page.redraw();

@@ -34,7 +34,7 @@ export class PracticeView {
   #end = make("button", { id: "practice-end", class: "control add", type: "button", "data-t": "practice.end" });
   #said = make("p", { id: "practice-said" });
   #rows = make("div", { id: "practice-rows" });
-  /** Key of the current questions. */
+  /** Language, task and classes of pairs for which the questions were built, as JSON. */
   #asked = "";
   /** @type {number | null} task to which the answers belong */
   #answered = null;

@@ -35,7 +35,7 @@ export function symbolOf(freedoms) {
 /**
  * @param {readonly number[]} terms
  * @param {Words} words
- * @returns {string} the sum, after its terms if there are several
+ * @returns {string} the sum; several terms are written out, as in 2 + 3 = 5
  */
 export function sum(terms, { numbers }) {
   const total = numbers.exact(terms.reduce((all, one) => all + one, 0));

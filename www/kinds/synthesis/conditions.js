@@ -89,7 +89,7 @@ const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
 /**
  * @param {string} name
  * @param {string} said
- * @param {readonly (boolean | null)[]} verdicts whether the printed condition holds, and the true result; null for a missing one
+ * @param {readonly (boolean | null)[]} verdicts entries of the columns for the printed condition and the true result; null for an empty cell
  * @param {Words} words
  * @param {boolean} [fails] whether the row shows a theorem that is false for this position
  */

@@ -14,7 +14,7 @@ const LENGTHS = Object.freeze([
   { symbol: "l₃", key: "map.input", role: "crank" },
 ]);
 
-/** Keys of the names of the parts of the curve, by verdict. */
+/** For each verdict, the key of the name of the parts of the curve with that verdict. */
 const PARTS = Object.freeze({ turns: "map.turns", rocks: "map.rocks", disorder: "map.disorder", branch: "map.branch" });
 
 export class FamilyView {

@@ -16,7 +16,7 @@ import { alone, edited } from "assur/state/state.js";
  * @typedef {import("assur/core/problem.js").Problem} Problem
  */
 
-/** Initial values. `USUAL`: function. `POWER`: exponent. `COUNT`: number of positions, for an error of 0.2 %. */
+/** Initial values. `USUAL`: function. `POWER`: exponent. `COUNT`: positions; with `USUAL` the error is 0.2 %. */
 const USUAL = Object.freeze(/** @type {Wanted} */ ({ of: "log10", x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] }));
 const POWER = 2;
 const COUNT = 3;
@@ -118,7 +118,7 @@ function makeForm(document, words) {
   chosen.addEventListener("change", fit);
   fit();
 
-  /** Inputs to be marked as invalid, by the name of the document's field. */
+  /** Inputs to mark if a field of the document is invalid, by the name of that field. */
   const boxes = new Map([["function.of", [rows]], ["function.power", [power]], ...ranges.map(({ part, boxes }) => /** @type {const} */ ([`function.${part}`, boxes]))]);
   return {
     rows: [

@@ -36,7 +36,7 @@ const PARTS = Object.freeze(/** @type {const} */ ([
   { part: "weight", symbol: "w", role: "secondary", unit: "" },
 ]));
 
-/** Number of steps per degree to which initial coupler angles are rounded. */
+/** Initial coupler angles are rounded to a multiple of one degree divided by this number. */
 const PARTS_OF_DEGREE = 10;
 
 /** @type {Omit<import("assur/controls/card-list.js").ListKind<"synthesis", Position>, "another">} */
@@ -93,7 +93,7 @@ export class PositionsView {
 
   /**
    * @param {Snapshot} snapshot
-   * @returns {Position} the next position that the drawn linkage reaches; if none, the last position at another input
+   * @returns {Position} the next position that the drawn linkage reaches; if there is none, a copy of the last position with another input
    */
   #another({ state: { document: { positions } }, summary: { drawn: { starts: [outputStart, inputStart] } } }) {
     const last = positions[positions.length - 1];

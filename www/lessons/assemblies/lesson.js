@@ -3,7 +3,7 @@ import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled?: import("assur/state/assembled.js").Assembled }} Summary */
 
-/** Overlays of every step: traces, the other assemblies, and the section with a picture of each assembly. */
+/** View of every step: traces, the section with a picture of each assembly, and the other assemblies drawn. */
 const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 
 /** Control of every step: the section with the pictures and the map of the assemblies. */
@@ -101,7 +101,7 @@ function range({ cycle: { full, arcs } }) {
 
 /**
  * Returns the choice that describes the circuits of a four-bar. The lengths of its links determine the number of
- * circuits, its driver the number of branches on a circuit.
+ * circuits; the choice of its driver determines the number of branches on a circuit.
  * @param {Summary} summary
  */
 function circuits({ four_bars: [bar, ...more], cycle }) {

@@ -8,7 +8,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  */
 
-/** `LINKS`: links that give the equations. `UNKNOWNS`: their unknowns. `ORDERS`: marks of the two derivatives. */
+/** `LINKS`: links that give the equations. `UNKNOWNS`: unknowns of the equations. `ORDERS`: marks of derivatives. */
 const LINKS = Object.freeze(["EB", "EG", "GH", "FK", "LC", "CD"]);
 const UNKNOWNS = Object.freeze(["x_E", "y_E", "x_G", "y_G", "x_C", "y_C"]);
 const ORDERS = Object.freeze(["′", "″"]);

@@ -121,7 +121,7 @@ function largest({ ratios }) {
 
 /**
  * @param {Summary} summary
- * @returns {number | undefined} (z₁ + z₄)/k of a train with k satellites; a value that no answer matches if the train cannot be assembled
+ * @returns {number | undefined} (z₁ + z₄)/k of a train with k satellites; infinity, which no answer matches, if the train cannot be assembled
  */
 function pitchesEach({ builds, conditions }) {
   const assembly = conditions.find(({ kind }) => kind === "assembly");
@@ -129,8 +129,9 @@ function pitchesEach({ builds, conditions }) {
 }
 
 /**
- * Largest z₄ − z₁ − 2z₂ at which teeth of sun 1, satellite 2 and ring 4 touch. With module m, two pitch circles are
- * m(z₄ − z₁ − 2z₂)/4 apart, and teeth of addendum m clear each other only if this gap is more than 2m.
+ * Largest z₄ − z₁ − 2z₂ at which teeth of sun 1, satellite 2 and ring 4 touch. With module m, the satellite's pitch
+ * circle is m(z₄ − z₁ − 2z₂)/4 away from each of the others. Teeth of addendum m clear each other only if this gap is
+ * more than 2m.
  */
 const TEETH_OF_GAPS = 8;
 
