@@ -7,9 +7,16 @@ use assur_draw::chart::{
     Against, Axis, Chart, Field, Kind, Mark, MarkKind, Palette, Panel, Passed, Tick,
 };
 use assur_file::{Only, Problem};
+use plotters::prelude::IntoDrawingArea;
 use plotters::style::RGBColor;
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
+use web_sys::CanvasRenderingContext2d;
+
+use crate::canvas::Canvas;
+use crate::capabilities::Moves;
+use crate::convert::{read_directly, to_js};
+use crate::simulator::bad;
 
 /// The page's request for a chart. Sizes are in CSS pixels.
 #[derive(Deserialize)]
@@ -43,16 +50,45 @@ fn usual() -> f64 {
 
 impl ChartRequest {
     /// Reads a request directly: JSON would refuse an infinite `around`, which stands for the end of the time axis.
-    pub(crate) fn read(value: JsValue) -> Result<Self, Problem> {
-        serde_wasm_bindgen::from_value(value).map_err(|error| Problem::BadState {
-            path: "chart".to_owned(),
-            detail: error.to_string(),
-        })
+    fn read(value: &JsValue) -> Result<Self, Problem> {
+        read_directly(value, "chart")
     }
 
     pub(crate) fn palette(&self) -> Palette {
         self.palette.map(|[r, g, b]| RGBColor(r, g, b))
     }
+}
+
+/// Draws the plots of a motion and, thin and dashed, the curves of another motion for the quantities that both plot.
+/// Returns the layout of the plots' text.
+///
+/// # Errors
+/// A malformed request.
+pub(crate) fn draw(
+    moves: &dyn Moves,
+    with: Option<&dyn Moves>,
+    context: &CanvasRenderingContext2d,
+    request: &JsValue,
+) -> Result<JsValue, Problem> {
+    let request = ChartRequest::read(request)?;
+    let size = (request.width, request.height);
+    let canvas = Canvas::new(context, size, request.ratio, request.whole);
+    let (area, palette) = (canvas.into_drawing_area(), request.palette());
+    if let Some(mut plot) = moves.against(request.around) {
+        if let Some(other) = with.and_then(|with| with.against(request.around)) {
+            plot.to_mut().compare(&other);
+        }
+        let field = plot.draw(&area, &palette, request.scale);
+        let field = field.map_err(|error| bad("chart", &error.to_string()))?;
+        return Ok(to_js(&ChartLayout::of_one(&plot, field, moves.numbers())));
+    }
+    let mut chart = moves.chart(request.around);
+    if let Some(with) = with {
+        chart.to_mut().compare(&with.chart(request.around));
+    }
+    let panels = chart.draw(&area, &palette, request.scale, request.only.order());
+    let panels = panels.map_err(|error| bad("chart", &error.to_string()))?;
+    Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
 }
 
 /// Layout of a chart; the page uses it to place the text.

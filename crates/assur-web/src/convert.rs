@@ -79,8 +79,19 @@ fn outside_variant(problem: Problem, name: &str, tag: &str) -> Problem {
 }
 
 fn json(given: &JsValue) -> Result<Value, Problem> {
+    read_directly(given, ".")
+}
+
+/// Reads a value without JSON, which has no infinity.
+///
+/// # Errors
+/// The malformed value, named by `path`.
+pub(crate) fn read_directly<T: DeserializeOwned>(
+    given: &JsValue,
+    path: &str,
+) -> Result<T, Problem> {
     serde_wasm_bindgen::from_value(given.clone()).map_err(|error| Problem::BadState {
-        path: ".".to_owned(),
+        path: path.to_owned(),
         detail: error.to_string(),
     })
 }

@@ -8,9 +8,10 @@ use assur_file::{Document, LinkageProblem, Problem, State, dimension_field};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
-use crate::convert::{read, thrown, to_js};
+use crate::convert::{read, read_directly, thrown, to_js};
 use crate::kinds::Redrawn;
 use crate::profile::band;
+use crate::simulator::one;
 
 /// Requirements on the first plotted output. The document gives the width of the output's dwell band.
 #[derive(Deserialize)]
@@ -78,12 +79,7 @@ impl Design {
     ) -> Result<Self, JsValue> {
         let state = read(&state)?;
         // JSON would refuse NaN and infinity. Read directly, they reach the search, which reports their field.
-        let wishes: Wishes = serde_wasm_bindgen::from_value(wishes).map_err(|error| {
-            thrown([Problem::BadState {
-                path: "wishes".to_owned(),
-                detail: error.to_string(),
-            }])
-        })?;
+        let wishes = read_directly(&wishes, "wishes").map_err(one)?;
         Self::of(&state, &wishes).map_err(thrown)
     }
 

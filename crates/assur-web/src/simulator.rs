@@ -5,13 +5,11 @@ mod refusal;
 use assur::Point;
 use assur_edit::Edit;
 use assur_file::{LengthUnit, Problem};
-use plotters::prelude::IntoDrawingArea;
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
-use crate::canvas::Canvas;
 use crate::capabilities::{Capabilities, Edited, Moves, RelationHere, unknown};
-use crate::chart::{ChartLayout, ChartRequest};
+use crate::chart;
 use crate::convert::{read, read_tagged, thrown, to_js};
 use crate::kinds::{as_kind, draft, open};
 use crate::moving::Moving;
@@ -273,7 +271,7 @@ impl Simulator {
         context: &CanvasRenderingContext2d,
         #[wasm_bindgen(unchecked_param_type = "ChartRequest")] request: JsValue,
     ) -> Result<JsValue, JsValue> {
-        self.charted(context, request, None)
+        chart::draw(self.moves()?, None, context, &request).map_err(one)
     }
 
     /// Draws the plots and, thin and dashed, another simulator's curves of the quantities that both plot.
@@ -287,36 +285,7 @@ impl Simulator {
         #[wasm_bindgen(unchecked_param_type = "ChartRequest")] request: JsValue,
         with: &Self,
     ) -> Result<JsValue, JsValue> {
-        self.charted(context, request, Some(with.moves()?))
-    }
-
-    fn charted(
-        &self,
-        context: &CanvasRenderingContext2d,
-        request: JsValue,
-        with: Option<&dyn Moves>,
-    ) -> Result<JsValue, JsValue> {
-        let moves = self.moves()?;
-        let request = ChartRequest::read(request).map_err(one)?;
-        let size = (request.width, request.height);
-        let canvas = Canvas::new(context, size, request.ratio, request.whole);
-        let (area, palette) = (canvas.into_drawing_area(), request.palette());
-        if let Some(mut plot) = moves.against(request.around) {
-            if let Some(other) = with.and_then(|with| with.against(request.around)) {
-                plot.to_mut().compare(&other);
-            }
-            let field = plot.draw(&area, &palette, request.scale);
-            let field = field.map_err(|error| one(bad("chart", &error.to_string())))?;
-            let layout = ChartLayout::of_one(&plot, field, moves.numbers());
-            return Ok(to_js(&layout));
-        }
-        let mut chart = moves.chart(request.around);
-        if let Some(with) = with {
-            chart.to_mut().compare(&with.chart(request.around));
-        }
-        let panels = chart.draw(&area, &palette, request.scale, request.only.order());
-        let panels = panels.map_err(|error| one(bad("chart", &error.to_string())))?;
-        Ok(to_js(&ChartLayout::new(&chart, panels, moves.numbers())))
+        chart::draw(self.moves()?, Some(with.moves()?), context, &request).map_err(one)
     }
 
     /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`. It
