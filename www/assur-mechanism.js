@@ -1,5 +1,6 @@
 // <assur-mechanism src="…">: a frame with the page, for slides and learning platforms (docs/embedding.md). This
-// separate script runs in pages of other sites. It uses nothing of such a page, and never inserts attributes as markup.
+// separate script runs in pages of other sites. It relies on nothing in those pages, and never inserts the element's
+// attributes as markup.
 (() => {
   /** Attributes of the element, each with the parameter that it sets in the address of the page. */
   const PARAMETERS = Object.freeze({ show: "embed", lesson: "lesson", step: "step", edit: "edit", bar: "bar", play: "play", lang: "lang" });

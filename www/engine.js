@@ -14,9 +14,9 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {Summaries[Kind]} Summary
  * @typedef {{ frame: Float64Array, handles: Float64Array, readouts: Readouts | null, plotted: Float64Array | null }} Here
  * The mechanism at an input. `frame`: poses of the bodies, and a display list of all shapes that are not rigid.
- * `handles`: x and y of each handle. `readouts`: values by name. `plotted`: value and both derivatives of each series
- * of the plots, or abscissa and ordinate if one quantity is plotted against another. `readouts` and `plotted` are
- * null if derivatives are unbounded.
+ * `handles`: x and y of each handle. `readouts`: values by name. `plotted`: value and first two derivatives of each
+ * series of the plots, or abscissa and ordinate if one quantity is plotted against another. `readouts` and `plotted`
+ * are null if derivatives are unbounded.
  * @typedef {Readonly<Record<string, number>>} Readouts
  */
 
@@ -30,9 +30,9 @@ function lists(flat) {
 }
 
 /**
- * Passes calls of functions on.
+ * Wraps an object whose functions may be called only by `ask`.
  * @template {object} T
- * @param {() => T} owner of the functions
+ * @param {() => T} owner gives the object
  * @param {(call: () => unknown) => unknown} ask makes a call
  * @returns {T} an object with the same functions, each called by `ask`
  */

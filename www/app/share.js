@@ -1,4 +1,4 @@
-// Copying the link, opening and saving files.
+// Copying the URL of a state; opening and saving files.
 import { byId } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { toFile } from "assur/state/codec.js";

@@ -14,7 +14,7 @@ import { withFurther } from "assur/state/state.js";
 /** Largest size of a file, in bytes. */
 const LARGEST = 64e6;
 
-/** New picture. `SHARE`: share of the view that it fills. `OPACITY`: its opacity. */
+/** `SHARE`: greatest share of the view's width and height that a new picture takes. `OPACITY`: its opacity. */
 const SHARE = 0.85;
 const OPACITY = 0.5;
 
