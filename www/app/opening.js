@@ -117,7 +117,7 @@ export function isForeign(text, engine) {
 }
 
 /**
- * Imports a mechanism of another program, from a file or from a pasted link or text.
+ * Imports a mechanism of another program, from a file or from a pasted URL or text.
  * @param {string} text
  * @param {string | null} name of the file; null for pasted text
  * @param {Engine} engine

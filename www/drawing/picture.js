@@ -1,4 +1,4 @@
-// A photograph or scan behind the drawing. As part of the state it is saved and undone; links and exports omit it.
+// A photograph or scan behind the drawing. As part of the state it is saved and undone; URLs and exports omit it.
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";

@@ -19,7 +19,7 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Between improvements, progress is written only after this number of candidates: screen readers announce it. */
+/** Between improvements, progress is written once in this number of candidates, because screen readers announce it. */
 const TOLD = 10;
 
 /** Pause of the search after an improvement is shown, in milliseconds. Without it the motion would be jerky. */
