@@ -15,7 +15,7 @@ import { furtherOf, withFurther, withMechanism, withView } from "assur/state/sta
  * @typedef {Readonly<Record<string, () => void>>} Commands
  */
 
-/** Length, in characters, from which messaging programs may cut a link off. */
+/** Length of a URL, in characters, from which messaging programs may cut the URL off. */
 const LONG_LINK = 8000;
 
 /**

@@ -19,7 +19,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null }} Charted
  */
 
-/** Time at rest before an announcement, in milliseconds. Values passed during a drag are not announced. */
+/** Time at rest before the pose is announced, in milliseconds. Poses passed during a drag are not announced. */
 const PAUSE = 500;
 
 export class Description {

@@ -14,7 +14,7 @@ export function chosenLanguage() {
 }
 
 /**
- * Links the list of languages to the state's language. A change reaches the page once the words are loaded.
+ * Connects the list of languages with the state's language. A change reaches the page once the words are loaded.
  * @param {import("assur/app/page.js").Page} page
  */
 export function chooseLanguage(page) {

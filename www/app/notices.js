@@ -1,10 +1,10 @@
-// Notices on links, files and parts of the page: sentences shown until the reader closes them.
+// Notices on shared URLs, files and parts of the page: sentences shown until the reader closes them.
 import { lossOf, sentence } from "assur/controls/problems.js";
 import { byId, make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Failure} Failure
- * @typedef {"copied" | "copied_without" | "result"} Done what was copied: a link, a link without the picture, a result
+ * @typedef {"copied" | "copied_without" | "result"} Done what was copied: a URL, a URL without the picture, a result
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
@@ -17,10 +17,10 @@ export const BROKE = Object.freeze([{ kind: "part", problems: [{ code: "part_bro
 /** @type {readonly Failure[]} the plots could not be drawn */
 export const NO_PLOTS = Object.freeze([{ kind: "part", problems: [{ code: "no_plots" }] }]);
 
-/** @type {readonly Failure[]} the state is too long for a link */
+/** @type {readonly Failure[]} the state is too long for a URL */
 export const LONG = Object.freeze([{ kind: "link", problems: [{ code: "link_too_long" }] }]);
 
-/** @type {readonly Failure[]} the link is so long that messaging programs may cut it off */
+/** @type {readonly Failure[]} the URL is so long that messaging programs may cut it off */
 export const CUT = Object.freeze([{ kind: "link", problems: [{ code: "link_may_be_cut" }] }]);
 
 /** @type {Readonly<Record<"picture" | "state" | "lesson" | "tab", readonly Failure[]>>} the browser did not store the picture behind the drawing, the state, or the answers to a lesson; or it now stores the state of another tab */

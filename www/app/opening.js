@@ -28,7 +28,10 @@ const MAX_FILE = 20_000_000;
 /** Codes of problems with a file after which the notice also lists the kinds of file that can be opened. */
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
-/** Length to which texts of other programs are cut, as the engine's memory never shrinks. Texts so long are refused. */
+/**
+ * Length to which texts of other programs are cut, in characters, because the engine's memory never shrinks. The engine
+ * refuses texts of this length.
+ */
 const MAX_FOREIGN = 2 ** 20 + 1;
 
 /** Greatest length of a title, in characters. */
@@ -114,7 +117,7 @@ export function isForeign(text, engine) {
 }
 
 /**
- * Imports a mechanism of another program, from a file or from a pasted link or text.
+ * Imports a mechanism of another program, from a file or from a pasted URL or text.
  * @param {string} text
  * @param {string | null} name of the file; null for pasted text
  * @param {Engine} engine

@@ -11,7 +11,7 @@ export class Pace {
   #revision = 0;
   /** Whether the views last took longer than `BRIEF` to write. */
   #long = false;
-  /** End of the pause, in milliseconds. */
+  /** Time at which the pause ends, in milliseconds on the clock of `performance.now`. */
   #rests = 0;
   /** @type {{ revision: number, write: () => void } | null} views to be written after the frame */
   #due = null;

@@ -176,7 +176,7 @@ export class Page {
    * @param {State["document"]} document of that kind
    * @param {readonly import("assur/state/change.js").Edit[]} edits changes that the engine makes to the document
    * @param {(summary: import("assur/types/web.js").Summary | null) => Partial<State["view"]>} look gives the view of the
-   * document. The engine's summary is null if the engine refuses the document
+   * document from the engine's summary, which is null if the engine refuses the document
    */
   choose(kind, document, edits = [], look = () => ({})) {
     const { store, model, address } = this;

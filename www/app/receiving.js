@@ -1,4 +1,4 @@
-// Content dropped on the page or pasted into it: files, and links or texts of other programs.
+// Content dropped on the page or pasted into it: files, and URLs or texts of other programs.
 import { isForeign, takeFile, takeForeign } from "assur/app/opening.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */

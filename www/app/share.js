@@ -1,4 +1,4 @@
-// Copying the link, opening and saving files.
+// Copying the URL of a state; opening and saving files.
 import { byId } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { toFile } from "assur/state/codec.js";
@@ -6,10 +6,10 @@ import { toFile } from "assur/state/codec.js";
 /** @typedef {import("assur/state/state.js").State} State */
 
 /**
- * Copies the link of a state, or else shows it to be copied by hand.
+ * Copies the URL of a state, or else shows the URL to be copied by hand.
  * @param {State} state
  * @param {import("assur/state/address.js").Address} address
- * @returns {Promise<{ link: string, copied: boolean }>} the link, and whether it is in the clipboard
+ * @returns {Promise<{ link: string, copied: boolean }>} the URL, and whether it is in the clipboard
  */
 export async function copyLink(state, address) {
   const link = address.link(state);

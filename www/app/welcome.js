@@ -9,7 +9,7 @@ import { keep, kept } from "assur/state/storage.js";
 const NAME = "welcome";
 
 /**
- * Shows the introduction, unless the reader has closed it before, or the page was opened by a link or in a frame.
+ * Shows the introduction, unless the reader has closed it before, or the page was opened by a shared URL or in a frame.
  * @param {import("assur/app/page.js").Page} page
  */
 export function welcome(page) {

@@ -23,7 +23,7 @@ export class BranchMap {
   #from = 0;
   #to = TURN;
 
-  /** @param {(input: number, output: number) => void} chosen called with the input and the output at a click */
+  /** @param {(input: number, output: number) => void} chosen called at a click, with the input and the output there */
   constructor(chosen) {
     this.element = makeSvg("svg", { id: "assembly-map", class: "assembly-map", viewBox: `0 0 ${LEFT + SIZE + BEYOND} ${TOP + SIZE + BELOW}`, role: "img" });
     this.element.append(this.#scale, this.#branches, this.#now);

@@ -10,7 +10,7 @@ export class Motions {
   #changed;
   /** @type {Worker | null} */
   #worker = null;
-  /** Time at which the last question was sent. */
+  /** Time at which the last question was sent, in milliseconds on the clock of `performance.now`. */
   #since = 0;
   /** The question to be sent once the worker is free. */
   #next = /** @type {object | null} */ (null);

@@ -242,10 +242,10 @@ export class Assemblies {
   }
 }
 
-/** @param {string | undefined} number of a link, if it has one */
+/** @param {string | undefined} number of a link; undefined if the link has none */
 function angled(number) {
   return `φ${number ? subscript(number) : ""}`;
 }
 
-/** Keys of the texts on the assemblies that can be reached directly, through folds, or never. */
+/** Keys of the texts on assemblies that can be reached without passing a fold, only through folds, or never. */
 const REACH = Object.freeze({ same: "assemblies.same", folds: "assemblies.folds", never: "assemblies.never" });

@@ -39,7 +39,7 @@ const LOOKS = [
 ];
 
 const TEXT_SIZE = 15;
-/** Factor of the text size on a small drawing. */
+/** Size of text on a small drawing, relative to the usual size. */
 const SMALL = 0.85;
 /** A Greek letter with one letter as its subscript. Names of points and links do not match; they stay as they are. */
 const INDEXED = /^(\p{Script=Greek})_(\p{L})$/u;
@@ -52,7 +52,7 @@ const NO_DASH = [];
 
 export class Painter {
   #theme;
-  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} lines of polygons as bands, in the width painted last */
+  /** @type {WeakMap<Shape, { width: number, band: Path2D }>} for polygons, the band painted in place of a line */
   #bands = new WeakMap();
 
   /** @param {import("assur/canvas/theme.js").Theme} theme */

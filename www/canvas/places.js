@@ -16,7 +16,7 @@ const SIDES = Object.freeze([1, 2].flatMap((far) => [
   [-far, far],
 ]));
 
-/** Extra room, in heights of the label, needed to return to the wanted place. It keeps labels from flickering. */
+/** Extra room, in heights of the label, that a moved label needs to return to its wanted place. Prevents flicker. */
 const ROOM = 1.5;
 
 export class Places {

@@ -1,4 +1,5 @@
-// Colours of the roles and sizes of text and lines, from the style sheet for light pages, dark pages or projectors.
+// Colours of the roles (crank, coupler, …), and sizes of text and lines, as the style sheet sets them for light pages,
+// dark pages or projectors.
 
 /** @typedef {Readonly<Record<string, string>>} Colours */
 

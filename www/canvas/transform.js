@@ -93,7 +93,7 @@ export class Zoom {
 
   /**
    * @param {number} factor magnification of the fitted view
-   * @param {number} x offset of the middle of the canvas from its fitted place, in the model's unit of length
+   * @param {number} x offset of the view's middle from that of the fitted view, in the model's unit of length
    * @param {number} y
    */
   constructor(factor, x, y) {

@@ -46,9 +46,10 @@ import { edited } from "assur/state/state.js";
  *   without?: (index: number, document: Documents<K>) => Partial<Documents<K>>,
  * }>} ListKind
  * A list in the documents of one kind. `name`: field of the list. `first`: the number shown on the first entry
- * (wheels of a mixer start at 5). `least`, `most`: limits of the number of entries. `written`: a number as it is
- * shown. `words`: keys of the names of the buttons. `build`: makes the card of an entry. `another`: makes an entry to
- * be added. `without`: fields of the document that the removal of an entry changes, if not the list alone.
+ * (wheels of a mixer start at 5). `least`, `most`: limits of the number of entries. `written`: writes the number shown
+ * on an entry. `words`: keys of the names of the buttons. `build`: makes the card of an entry. `another`: makes an
+ * entry to be added. `without`: gives the fields of the document that change with the removal of an entry, if the
+ * list is not the only one.
  */
 
 /**

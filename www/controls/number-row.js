@@ -50,7 +50,7 @@ export class NumberRow {
     this.#box = new NumberBox(input, field, drafts, set);
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
-      // If the symbol contains the name, no words are needed.
+      // A symbol with the name as its subscript needs no words beside it.
       ...(symbol.endsWith(`_${beside}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": beside })]),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);

@@ -14,7 +14,7 @@ import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 /** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `slides[0].offset`, `points[8].x`. */
 const DIMENSION = /^(links|slides|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
-/** A length in a document other than a linkage: `l1` and `module` of a mixer, the frame of a synthesis. */
+/** A length in a document other than a linkage: `l1` of a mixer, the frame of a synthesis, `x` of a traced point. */
 const LENGTH = /^(?:l\d|module|frame|tracers\[\d+\]\.[xy])$/;
 /** Keys of the names of links' dimensions. */
 const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));

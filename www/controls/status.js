@@ -8,7 +8,8 @@ import { byId, make, setData } from "assur/core/dom.js";
  * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
  * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, late?: boolean, say: (snapshot: S) => Entry | null }>} Item
  * `title`: key of the entry's title. `n`: text for {n} in the title, by default the input's symbol. `late`: whether
- * the content takes some time, and is computed only after a moment without changes. `say`: gives the content, or null.
+ * the content is slow to compute, and waits for a moment without changes. `say`: gives the content; null hides the
+ * entry.
  */
 
 /** Time without a change before late entries are computed, in milliseconds. */

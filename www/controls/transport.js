@@ -99,7 +99,7 @@ export class Transport {
   }
 
   /**
-   * Shows a speed. A speed that the list lacks, such as one from a link, is added to the list.
+   * Shows a speed. A speed that the list lacks, such as a speed from a URL, is added to the list.
    * @param {View} view
    * @param {Words} words
    */

@@ -54,7 +54,7 @@ export function toLine(point, line) {
 }
 
 /**
- * Number of the moving assembly at the drawn input, with the count of all assemblies there, or of the known ones.
+ * Text on the moving assembly at the drawn input: its number, and the count of all assemblies, or else of those known.
  * @param {Pick<import("assur/types/web.js").MotionSummary, "home"> & { readonly assembled?: import("assur/state/assembled.js").Assembled }} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words

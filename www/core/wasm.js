@@ -14,7 +14,7 @@ export function compiledWasm() {
 }
 
 /**
- * Compiles wasm while it is loading if the server sends it with the media type of wasm, otherwise afterwards.
+ * Compiles wasm while it is loading if the server sends it with the media type of wasm, otherwise after loading.
  * @param {Response} response
  */
 async function compile(response) {

@@ -14,7 +14,7 @@ import { PARTS, withMechanism, withView } from "assur/state/state.js";
 const FIELD = "edit";
 
 /**
- * Edits the open document, or shows the reason why the edit is refused.
+ * Edits the open document. Shows the reason if the edit is refused, and then returns null.
  * @param {Page} page
  * @param {Edit} wanted
  * @returns {Drawn | null}

@@ -141,7 +141,7 @@ export class Hand {
         onto = near && this.#isPoint(near.name) && this.#isPoint(point) ? near.name : "";
         const [x, y] = near ? [near.x, near.y] : this.#snapped(place, free);
         this.#page.mechanism.ring(onto || point);
-        // Locked dimensions may have kept the point away from the other one.
+        // Locked dimensions may have kept the dragged point from reaching the other point.
         if (edit(this.#page, { edit: "place", point, at: [x, y] })?.held) onto = "";
       },
       end: () => {
@@ -274,7 +274,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the last wheel added at the point; null if there is none, or no other link at the point
+   * @returns {string | null} the last wheel added at the point; null if the point has no wheel or only the wheel
    */
   #wheelOn(point) {
     const { links = [], slides = [] } = this.#document();

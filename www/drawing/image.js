@@ -14,7 +14,7 @@ const MAX_TEXT = 2_000_000;
 /** Text of an image of a type that a state takes without conversion. */
 const TAKEN = /^data:image\/(png|jpeg|webp|gif|svg\+xml);base64,/;
 
-/** Side of an image without a size of its own, such as some vector drawings, in pixels. */
+/** Side given to an image that has no size of its own (some vector drawings), in pixels. */
 const SIDE = 1000;
 
 /**
@@ -48,7 +48,7 @@ export async function pixelsOf(text) {
 
 /**
  * @param {HTMLImageElement} image
- * @returns {string | undefined} the image as a JPEG short enough for a state; undefined if none is
+ * @returns {string | undefined} the image as a JPEG short enough for a state; undefined if it is too long at every size
  */
 function photograph(image) {
   for (const side of SIDES) {

@@ -1,4 +1,4 @@
-// A photograph or scan behind the drawing. As part of the state it is saved and undone; links and exports omit it.
+// A photograph or scan behind the drawing. As part of the state it is saved and undone; URLs and exports omit it.
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";
@@ -14,7 +14,7 @@ import { withFurther } from "assur/state/state.js";
 /** Largest size of a file, in bytes. */
 const LARGEST = 64e6;
 
-/** New picture. `SHARE`: share of the view that it fills. `OPACITY`: its opacity. */
+/** `SHARE`: greatest share of the view's width and height that a new picture takes. `OPACITY`: its opacity. */
 const SHARE = 0.85;
 const OPACITY = 0.5;
 

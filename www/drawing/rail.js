@@ -97,7 +97,7 @@ export class DrawingRail {
   }
 
   /**
-   * Returns the places of the points: in the drawn pose exactly those of the document, in any other computed places.
+   * Returns the places of the points: in the drawn pose, those of the document exactly; in other poses, computed ones.
    * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
    * @param {Document} document
    */

@@ -1,5 +1,5 @@
 // The page within another page, set up by parameters of its address (docs/embedding.md), as in
-// `?embed=stage&edit=no#jansen`. Loaded only if `embed` is one of them; the others have no effect without it.
+// `?embed=stage&edit=no#jansen`. Without `embed`, this module is not loaded and the other parameters have no effect.
 import { addStyle, setData } from "assur/core/dom.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { LESSONS } from "assur/lessons/index.js";

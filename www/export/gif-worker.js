@@ -1,7 +1,7 @@
 // A worker that writes a GIF (version 89a). It receives the size, then all pictures, and then writes one picture per
 // message. All pictures share one table of their most frequent colours. Only the changed part of a picture is written.
 
-/** `COLOURS`: number of colours in the table. `SAME`: the next index, which stands for an unchanged pixel. */
+/** `COLOURS`: number of colours in the table. `SAME`: index of an unchanged pixel, after the last colour. */
 const COLOURS = 255;
 const SAME = 255;
 

@@ -1,4 +1,4 @@
-// Moments of a motion, for an animation or several poses in one picture. They span a period, to repeat without a jump.
+// Moments of one period of a motion, for several poses in one picture, or for an animation that repeats without a jump.
 import { Refusal, attempt } from "assur/core/problem.js";
 
 /**
@@ -9,13 +9,13 @@ import { Refusal, attempt } from "assur/core/problem.js";
  * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work work that can be cancelled and reports its progress
  */
 
-/** Tolerance within which an input beyond the end of an arc counts as on the arc. */
+/** Tolerance within which an input beyond the end of an arc counts as on the arc, in the engine's unit. */
 const HAIR = 1e-9;
 
 /**
  * @param {Page} page
  * @param {number} count
- * @returns {number[]} inputs in the engine's unit, equally spaced over a period. A full turn starts at the current one; a
+ * @returns {number[]} inputs in the engine's unit, equally spaced over a period. A turn starts at the current input; a
  * rocking crank or a slide moves to and fro
  */
 export function inputs({ model: { summary, coordinate }, store }, count) {

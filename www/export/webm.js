@@ -26,7 +26,7 @@ export async function toWebm(page, theme, { moments: count, width, seconds }, wo
     for await (const here of moments(page, inputs(page, count), work)) {
       ground(target);
       moment(target, here);
-      // The canvas already shows the first picture when the recording begins.
+      // The recording begins only once the canvas shows the first picture.
       recording ??= record(canvas);
       number += 1;
       await until(recording.start + number * step, work.signal);

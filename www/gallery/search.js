@@ -15,7 +15,7 @@ export function findable(texts, highest = "") {
 }
 
 /**
- * Checks whether every word of a query is a prefix of a search word. The numeral of a class must match as a whole.
+ * Checks whether every word of a query is a prefix of a search word. A Roman numeral must match as a whole.
  * @param {readonly string[]} words
  * @param {string} query
  */

@@ -1,9 +1,10 @@
-// The moving assembly of a document at its drawn input. It takes time to find, so it is found when it is first read.
+// The moving assembly of a document at its drawn input. Finding it takes time, so it is computed on first access.
 import { attempt } from "assur/core/problem.js";
 
 /**
  * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled the moving assembly at the drawn
- * input; null if unknown. `number`: its number, from 1. `count`: how many are known there. `whole`: whether all are
+ * input; null if unknown. `number`: its number, from 1. `count`: number of assemblies known there. `whole`: whether
+ * these are all
  * @typedef {Pick<import("assur/pkg/assur_web.js").Simulator, "assemblies">} Simulator
  */
 

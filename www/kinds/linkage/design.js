@@ -19,7 +19,7 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Without an improvement, progress is announced after this many candidates; a screen reader cannot follow each. */
+/** Between improvements, progress is written once in this number of candidates, because screen readers announce it. */
 const TOLD = 10;
 
 /** Pause of the search after an improvement is shown, in milliseconds. Without it the motion would be jerky. */
@@ -167,7 +167,7 @@ export class DesignView {
   #search() {
     const state = this.#store.get();
     const { angle, arc, stroke } = this.#now();
-    // A present value becomes a target, so that it does not change with the mechanism.
+    // A missing target becomes the present value, which would otherwise change with each improvement.
     this.#wish = { arc: this.#wish.arc ?? arc, stroke: this.#wish.stroke ?? stroke };
     const wishes = {
       arc: radians(this.#wish.arc ?? 0),
