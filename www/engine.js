@@ -2,15 +2,15 @@
 import { Refusal, problemsOf } from "assur/core/problem.js";
 import { compiledWasm } from "assur/core/wasm.js";
 import { withAssembled } from "assur/state/assembled.js";
+import { Catalogue } from "assur/state/catalogue.js";
 import { Compared, discard } from "assur/state/compared.js";
 import { byName } from "assur/state/readouts.js";
-import { alone, contains } from "assur/state/state.js";
+import { alone } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {import("assur/state/state.js").Frozen<import("assur/types/file.js").Preset>} Preset of the catalogue
  * @typedef {import("assur/types/web.js").Summaries} Summaries
  * @typedef {Summaries[Kind]} Summary
  * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: Readouts | null, plotted: Float64Array | null }} Here
@@ -53,8 +53,7 @@ export class Engine {
   lengths = "none";
   /** Whether the document may choose the unit of lengths. */
   choosesLengths = false;
-  /** @type {readonly Preset[]} */
-  catalogue = module.catalogue();
+  catalogue = new Catalogue(module.catalogue());
   /** @type {readonly string[]} */
   #names = [];
   /** @type {readonly string[]} points whose coordinates can be plotted */
@@ -63,34 +62,6 @@ export class Engine {
   links = [];
   /** @type {readonly string[]} quantities read with their derivatives */
   quantities = [];
-
-  /**
-   * @param {string} id
-   * @returns {Preset | undefined} the mechanism of the catalogue
-   */
-  preset(id) {
-    return this.catalogue.find((preset) => preset.id === id);
-  }
-
-  /**
-   * @param {Pick<State, "kind" | "document">} state
-   * @returns {Preset | undefined} preset that `origin` names; without this field, the preset with the same dimensions
-   */
-  presetOf({ kind, document }) {
-    if ("origin" in document) return this.preset(document.origin ?? "");
-    return this.catalogue.find((preset) => {
-      const { tracers, ...dimensions } = /** @type {{ tracers?: unknown }} */ (preset.document);
-      return preset.kind === kind && contains(document, dimensions);
-    });
-  }
-
-  /**
-   * @param {State} state
-   * @returns {string} name of the state's files: that of its preset (`jansen`), or else that of its kind (`linkage`)
-   */
-  fileName(state) {
-    return this.presetOf(state)?.id ?? state.kind;
-  }
 
   /** @returns {Promise<Engine>} */
   static async load() {

@@ -21,6 +21,6 @@ export function newEngine() {
  * @param {object} [view]
  */
 export function stateOf(engine, id, view = {}) {
-  const { kind, document } = engine.preset(id);
+  const { kind, document } = engine.catalogue.preset(id);
   return initialState(kind, document, { playing: false, ...view });
 }

@@ -54,7 +54,7 @@ function fileCommands(page) {
   };
   return {
     open: filePicker((file) => page.take(takeFile(file, engine, page.ofNow()))),
-    save: () => saveFile(now(), engine.fileName(model.good)),
+    save: () => saveFile(now(), engine.catalogue.fileName(model.good)),
     copy: () => (page.address.holds(now()) ? copy() : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
@@ -87,10 +87,10 @@ function motionCommands(page) {
   };
 
   // The preset to which a mechanism is reset: the one shown last, or else the first of the catalogue.
-  const [first] = engine.catalogue;
+  const [first] = engine.catalogue.presets;
   let preset = first;
   const note = (/** @type {import("assur/state/state.js").State} */ state) => {
-    if (state.kind === first.kind) preset = engine.presetOf(state) ?? preset;
+    if (state.kind === first.kind) preset = engine.catalogue.presetOf(state) ?? preset;
   };
   note(store.get());
   store.subscribe((state, previous) => {
@@ -119,7 +119,7 @@ function motionCommands(page) {
     redo: () => history.redo(),
     reset: () => {
       history.step(() => store.update((state) => {
-        const original = state.kind === preset.kind ? preset : engine.presetOf(state);
+        const original = state.kind === preset.kind ? preset : engine.catalogue.presetOf(state);
         return original ? withMechanism(state, original.kind, original.document) : state;
       }));
     },

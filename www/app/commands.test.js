@@ -120,7 +120,7 @@ test("reset is the mechanism as it stands in the catalogue, in one step, and dro
 
 test("reset of a mechanism goes back to that of its own origin, of one that has none nowhere", () => {
   const { page, all } = begin("mixer-b");
-  const { kind, document } = page.engine.preset("jansen");
+  const { kind, document } = page.engine.catalogue.preset("jansen");
   page.choose(kind, { ...document, title: "Leg" });
   all.reset();
   assert.deepEqual(page.store.get().document, document);
@@ -130,7 +130,7 @@ test("reset of a mechanism goes back to that of its own origin, of one that has 
   assert.deepEqual(page.store.get().document, own);
   assert.equal(origin, "jansen");
   // The mixer that was there last is remembered.
-  const mixer = page.engine.preset("mixer-b");
+  const mixer = page.engine.catalogue.preset("mixer-b");
   page.choose(mixer.kind, { ...mixer.document, l1: 0.31 });
   all.reset();
   assert.deepEqual(page.store.get().document, mixer.document);

@@ -54,7 +54,7 @@ test("what a kind says of itself stands beside it, also of what is opened again"
     return globalThis.document.getElementById("mechanism-description").textContent;
   };
   const open = (id) => {
-    const { kind, document } = page.engine.preset(id);
+    const { kind, document } = page.engine.catalogue.preset(id);
     page.choose(kind, document);
     return now();
   };
@@ -67,7 +67,7 @@ test("what a kind says of itself stands beside it, also of what is opened again"
 test("a count of assemblies says for which input it is, and that there may be more", (t) => {
   const { page, said } = begin(t);
   for (const [id, expected] of [["crank-rocker", /crank-rocker, assembly 1 of 2 at 60°\.$/], ["coupled-cranks", /assembly 1 of at least 1 at 60°\.$/]]) {
-    const { kind, document } = page.engine.preset(id);
+    const { kind, document } = page.engine.catalogue.preset(id);
     page.choose(kind, document);
     assert.match(said("mechanism-description"), expected, id);
   }

@@ -68,7 +68,7 @@ export async function takeAddress(address, engine, habits) {
   const hash = addressed(address);
   if (hash === "") return null;
   const whole = (/** @type {string} */ id) => {
-    const preset = engine.preset(id);
+    const preset = engine.catalogue.preset(id);
     return preset && { kind: preset.kind, document: preset.document, view: usualView({ lang: habits.lang }) };
   };
   return take("address", () => fromAddress(hash, whole), engine, habits);
@@ -176,6 +176,6 @@ export async function open(engine, habits) {
     failures.push(failure);
   }
   const { calm, lang } = habits;
-  const [{ kind, document }] = engine.catalogue;
+  const [{ kind, document }] = engine.catalogue.presets;
   return { state: initialState(kind, document, { playing: !calm, lang }), failures };
 }

@@ -43,11 +43,11 @@ test("tests/links.txt has links of both versions", () => {
 });
 
 test("every mechanism of the catalogue opens by its name, as it stands there", async () => {
-  for (const { id, kind, document } of engine.catalogue) {
+  for (const { id, kind, document } of engine.catalogue.presets) {
     const { state } = await takeAddress(`${HOME}#${id}`, engine, habits);
     assert.deepEqual([state.kind, state.document, state.view.lang], [kind, engine.read(initialState(kind, document, {})).document, "en"], id);
-    assert.equal(engine.presetOf(state)?.id, id);
-    assert.equal(engine.fileName(state), id);
+    assert.equal(engine.catalogue.presetOf(state)?.id, id);
+    assert.equal(engine.catalogue.fileName(state), id);
   }
 });
 
@@ -59,7 +59,7 @@ test("a page opens with its address, else with what was kept, else with the firs
   assert.deepEqual([again.document.origin, again.view.phi_deg, again.view.lang], ["jansen", 33, "uk"]);
   kept.clear();
   const { state, failures } = await begin();
-  const [first] = engine.catalogue;
+  const [first] = engine.catalogue.presets;
   assert.deepEqual([state.kind, state.document, state.view.playing, failures], [first.kind, first.document, true, []]);
 });
 
@@ -80,7 +80,7 @@ test("a language that the page does not have gives way to the reader's", async (
 test("what was kept and cannot be read is put aside and said", async () => {
   kept.set("assur.state", "{\"format\":1,\"lesson\":\"<b>\"}");
   const { state, failures } = await begin();
-  assert.equal(state.kind, engine.catalogue[0].kind);
+  assert.equal(state.kind, engine.catalogue.presets[0].kind);
   assert.equal(kept.get("assur.state.unread"), "{\"format\":1,\"lesson\":\"<b>\"}");
   assert.deepEqual(failures.map(({ kind }) => kind), ["kept"]);
   assert.match(lineOf(failures[0], wordsOf("en")), /lesson/);
@@ -96,7 +96,7 @@ test("an address that cannot be read is said, and what was kept is shown", async
 
 test("in a frame of another page nothing that was kept is read", async () => {
   kept.set("assur.state", toFile(stateOf(engine, "jansen")));
-  assert.equal((await begin(HOME, { ...habits, embedding: {} })).state.kind, engine.catalogue[0].kind);
+  assert.equal((await begin(HOME, { ...habits, embedding: {} })).state.kind, engine.catalogue.presets[0].kind);
 });
 
 test("a link opens with the tools for drawing, but not in a frame where nothing is edited", async () => {
@@ -112,7 +112,7 @@ test("where the browser keeps nothing the page opens all the same", async (t) =>
   };
   t.mock.method(localStorage, "getItem", forbidden);
   t.mock.method(localStorage, "setItem", forbidden);
-  assert.equal((await begin()).state.kind, engine.catalogue[0].kind);
+  assert.equal((await begin()).state.kind, engine.catalogue.presets[0].kind);
 });
 
 test("a picture that was kept comes back behind the very same drawing, and behind no other", async () => {

@@ -17,7 +17,7 @@ export class Title {
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render({ state, words }) {
     if (this.#shown.same(state.document, words)) return;
-    const preset = this.#engine.presetOf(state);
+    const preset = this.#engine.catalogue.presetOf(state);
     const name = titleOf(state, this.#engine, words);
     write(this.#place, name);
     document.title = `${name} · Assur`;

@@ -6,13 +6,13 @@
  */
 
 /**
- * @param {Parameters<Engine["presetOf"]>[0]} state
+ * @param {Pick<import("assur/state/state.js").State, "kind" | "document">} state
  * @param {Engine} engine
  * @param {Words} words
  * @returns {string} name of the document in the gallery, or else its own title, or else the name of its kind
  */
 export function titleOf(state, engine, words) {
-  const preset = engine.presetOf(state);
+  const preset = engine.catalogue.presetOf(state);
   if (preset) return words.text(`gallery.${preset.id}`);
   const { document, kind } = state;
   return ("title" in document && document.title) || words.text(`kind.${kind}`);
@@ -25,6 +25,6 @@ export function titleOf(state, engine, words) {
  * @returns {string} source of the linkage: that of the catalogue in the reader's language, any other as it was written
  */
 export function sourceOf({ origin, source }, engine, words) {
-  const { source: noted } = /** @type {{ source?: string }} */ (engine.preset(origin ?? "")?.document ?? {});
+  const { source: noted } = /** @type {{ source?: string }} */ (engine.catalogue.preset(origin ?? "")?.document ?? {});
   return source && source === noted ? words.text(`source.${origin}`) : source ?? "";
 }

@@ -7,7 +7,7 @@ import { LANGUAGES, wordsOf } from "assur/tests/words.js";
 const engine = newEngine();
 
 test("notes on linkages of the catalogue are in the reader’s language", () => {
-  const noted = engine.catalogue.filter(({ kind, document }) => kind === "linkage" && document.source);
+  const noted = engine.catalogue.presets.filter(({ kind, document }) => kind === "linkage" && document.source);
   assert.ok(noted.length > 40, String(noted.length));
   for (const lang of LANGUAGES) {
     const words = wordsOf(lang);

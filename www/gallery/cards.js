@@ -45,14 +45,14 @@ export function groups(page, pictures, english) {
  */
 function mechanismCard({ id, class: highest }, group, page, pictures, english) {
   const { words, store, engine } = page;
-  const preset = engine.preset(id);
+  const preset = engine.catalogue.preset(id);
   if (!preset) return [];
   const { kind, document } = preset;
   const key = `gallery.${id}`;
   const line = (/** @type {Words} */ table) => (highest ? table.text("gallery.class", { class: highest }) : table.text(`kind.${kind}`));
   const about = make("small", { class: "about" }, [words.text(`about.${id}`)]);
   const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words), about);
-  if (engine.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
+  if (engine.catalogue.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
   // The Roman numeral in a group's heading is left out: not all mechanisms of the group have this class.
   const texts = [words, english].flatMap((table) =>

@@ -11,7 +11,7 @@ function stepOn(page) {
   const inside = new Node();
   const controls = Object.assign(new Node(), { contains: (target) => target === inside });
   const own = new OwnMechanism(page, controls);
-  const { kind, document } = page.engine.preset("mixer-b");
+  const { kind, document } = page.engine.catalogue.preset("mixer-b");
   const open = (view = {}) => page.choose(kind, document, [], () => ({ phi_deg: 10, traces: false, ...view }));
   own.begin([{ id: "lesson-show", text: "", open, opened: (state) => JSON.stringify(state.document) === JSON.stringify(document) }]);
   return { own, open, inside };
@@ -61,7 +61,7 @@ test("it comes back as it was last, looked at as it was, in one step of undo", (
   lengthen(page, 0.33);
   page.store.update((state) => withView(state, { phi_deg: 77 }));
   happen("click", { target: new Node() });
-  const { kind, document } = page.engine.preset("jansen");
+  const { kind, document } = page.engine.catalogue.preset("jansen");
   page.choose(kind, document);
   page.store.update((state) => withView(state, { lang: "kk", traces: true }));
   assert.equal(own.there, false);

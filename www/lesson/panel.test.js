@@ -33,7 +33,7 @@ beforeEach(() => texts.clear());
 function begin(question, vary = []) {
   const page = new Page("mixer-a");
   page.redraw = () => {};
-  const { kind, document: shown } = page.engine.preset("mixer-a");
+  const { kind, document: shown } = page.engine.catalogue.preset("mixer-a");
   const lesson = { title: "Own", steps: [{ title: "", text: "", shows: { kind, document: shown, view: { phi_deg: 30 }, vary }, question: { text: "?", ...question } }] };
   page.store.update((state) => withView(withFurther(state, { lesson }), { lesson: { id: "own", step: 1 } }));
   const place = new HTMLElement();

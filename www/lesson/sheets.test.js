@@ -22,7 +22,7 @@ numberEntries("wheels", (index) => String(index + 5));
 
 /** What is printed for a name of a task about a mechanism of the catalogue, and its answer. */
 function printed(id, vary = [], quantity = "input", name = "Ann") {
-  const { kind, document } = page.engine.preset(id);
+  const { kind, document } = page.engine.catalogue.preset(id);
   const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows: { kind, document, view: { phi_deg: 30 }, vary }, question: { text: "How much?", number: { quantity, within: 0.001 } } }] };
   const sheet = sheets(lesson, [name], false, page, page.words);
   return { said: sheet.all.filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent).join("\n"), answer: answerOf(lesson, 0, name, page.engine) };
@@ -45,14 +45,14 @@ for (const [id, wanted] of [
 }
 
 test("points that links carry are given where they are on them", () => {
-  const { kind, document } = page.engine.preset("crank-rocker");
+  const { kind, document } = page.engine.catalogue.preset("crank-rocker");
   const tracers = [{ name: "P", link: "rocker", at: [1.5, -2] }];
   const said = given(initialState(kind, { ...document, tracers, unit: "m" }, {}), page.engine, page.words.measured("m"));
   assert.ok(said.includes("P (rocker): x = 1.5\u00a0m, y = −2\u00a0m"), said.join("; "));
 });
 
 test("lengths and coordinates go by symbols with the points as subscripts, or by words where a point has a longer name", () => {
-  const { kind, document } = page.engine.preset("crank-rocker");
+  const { kind, document } = page.engine.catalogue.preset("crank-rocker");
   const renamed = JSON.parse(JSON.stringify(document).replaceAll('"A"', '"bearing"'));
   const said = (its) => given(initialState(kind, its, {}), page.engine, page.words);
   assert.deepEqual(said(document).slice(0, 1), ["l_AB = 2"]);
@@ -82,7 +82,7 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
   ["mixer-a", "l1", [0.3, 0.4], /Crank l₁ = [\d.]+\u00a0m$/m],
 ]) {
   test(`a reader's own number has its unit: ${field} in ${unit}`, () => {
-    const { kind, document } = page.engine.preset(id);
+    const { kind, document } = page.engine.catalogue.preset(id);
     const shows = { kind, document: kind === "linkage" ? { ...document, unit } : document, view: { phi_deg: 30 }, vary: [{ field, from, to, step: 0.5 }] };
     const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows, question: { text: "How much?", number: { quantity: "input", within: 0.001 } } }] };
     for (const answers of [false, true]) {
@@ -94,7 +94,7 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
 
 /** What is printed of a question about a mechanism, and its answer. */
 function asking(id, number, { text = "How much?", unit, view = {}, question = { text, number } } = {}) {
-  const { kind, document } = page.engine.preset(id);
+  const { kind, document } = page.engine.catalogue.preset(id);
   const shows = { kind, document: unit ? { ...document, unit } : document, view: { phi_deg: 30, ...view } };
   const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows, question }, { title: "Again", text: "", question }] };
   const [tasks, answers] = [false, true].map((told) => sheets(lesson, [], told, page, page.words).all);

@@ -20,7 +20,7 @@ import { SWITCHES, contains, initialState } from "assur/state/state.js";
  * @returns {import("assur/lesson/folder.js").Whole | undefined} the preset that the button opens, undefined if there is none of this name
  */
 export function opens({ preset }, presets, engine) {
-  const whole = presets[preset] ?? engine.preset(preset);
+  const whole = presets[preset] ?? engine.catalogue.preset(preset);
   return whole && /** @type {Whole} */ ({ kind: whole.kind, document: whole.document });
 }
 

@@ -35,12 +35,12 @@ const FIVE_BAR = {
   links: ["AB", "BC", "CD", "ED"].map((name) => ({ name, points: [...name] })),
   drivers: [{ crank: "AB" }, { crank: "ED", rate: 2 }],
 };
-const train = engine.preset("train-magnets");
+const train = engine.catalogue.preset("train-magnets");
 const driven = { ...train, document: { ...train.document, drives: [{ shaft: "sun", rpm: 60 }, { shaft: "ring", rpm: 0 }] } };
 const positions = { kind: "synthesis", document: { frame: 10, positions: [{ output_deg: 240, input_deg: 45 }, { output_deg: 253, input_deg: 60 }] } };
 
 for (const [what, shown, vary] of [
-  ["a mixer", engine.preset("mixer-a"), [
+  ["a mixer", engine.catalogue.preset("mixer-a"), [
     { field: "wheels[0].z", from: 16, to: 30, step: 2 }, { field: "l1", from: 0.3, to: 0.4, step: 0.01 }, { field: "wheels[0].centre_line_deg", from: -60, to: 60, step: 15 },
   ]],
   ["a differential", driven, [{ field: "drives[0].rpm", from: 20, to: 80, step: 5 }, { field: "magnets.peak[1]", from: 2, to: 4, step: 0.5 }]],
@@ -72,7 +72,7 @@ for (const [what, shown, vary] of [
 }
 
 test("a length of one's own makes a mechanism, and the answer is that of the mechanism", () => {
-  const jansen = engine.preset("jansen");
+  const jansen = engine.catalogue.preset("jansen");
   const crank = jansen.document.links[0].points.find((name) => !jansen.document.frame.includes(name));
   const lesson = lessonOf(jansen, [{ field: "links[0].length", from: 12, to: 18, step: 0.5 }], { quantity: `${crank}.y` });
   const lengths = ["Ann", "Carl", "  aNN "].map((name) => {
@@ -88,7 +88,7 @@ test("a length of one's own makes a mechanism, and the answer is that of the mec
 });
 
 test("the swing of a wheel is that of the rocker by the teeth that one has", () => {
-  const mixer = engine.preset("mixer-a");
+  const mixer = engine.catalogue.preset("mixer-a");
   const vary = [{ field: "wheels[0].z", from: 16, to: 30, step: 2 }];
   const [wheel, rocker] = ["wheel5", "rocker"].map((link) => lessonOf(mixer, vary, { quantity: `${link}.angle:swing` }));
   for (const name of ["Ann", "Bo", "Cai"]) {
@@ -105,7 +105,7 @@ test("a speed of a differential is that of one's own drive", () => {
 });
 
 test("numbers that make no mechanism are drawn again; where none do there is no task", () => {
-  const mixer = engine.preset("mixer-a");
+  const mixer = engine.catalogue.preset("mixer-a");
   const some = lessonOf(mixer, [{ field: "l4", from: 0.5, to: 2, step: 0.1 }], { value: 1 });
   for (const name of ["Ann", "Bo", "Cai", "Dee", "Eve", "Fay"]) {
     const { state } = taskOf(some, 0, name, engine);
@@ -115,14 +115,14 @@ test("numbers that make no mechanism are drawn again; where none do there is no 
 });
 
 test("what a step shows may be what a step before it does", () => {
-  const { steps: [step] } = lessonOf(engine.preset("jansen"), [], { value: 1 });
+  const { steps: [step] } = lessonOf(engine.catalogue.preset("jansen"), [], { value: 1 });
   const lesson = { title: "", steps: [{ title: "", text: "" }, step, { title: "", text: "" }] };
   assert.deepEqual([0, 1, 2].map((index) => shownBy(lesson, index)?.index), [undefined, 1, 1]);
   assert.equal(taskOf(lesson, 0, "Ann", engine), null);
 });
 
 test("verdicts: numbers within a tolerance with comma or point, choices, what was reached", () => {
-  const { shows } = lessonOf(engine.preset("jansen"), [], {}).steps[0];
+  const { shows } = lessonOf(engine.catalogue.preset("jansen"), [], {}).steps[0];
   const lesson = { title: "", steps: [
     { title: "", text: "", shows, question: { text: "", number: { quantity: "input", at: 40, within: 0.5 } } },
     { title: "", text: "", question: { text: "", choice: { options: ["II", "III", "IV"], answer: 1 } } },
@@ -135,7 +135,7 @@ test("verdicts: numbers within a tolerance with comma or point, choices, what wa
 });
 
 test("an angle may be told a turn more or less, a length may not", () => {
-  const lesson = (quantity) => lessonOf(engine.preset("crank-rocker"), [], { quantity });
+  const lesson = (quantity) => lessonOf(engine.catalogue.preset("crank-rocker"), [], { quantity });
   const angle = answerOf(lesson("rocker.angle"), 0, "", engine);
   for (const turns of [-2, 0, 1]) assert.equal(verdictOn(lesson("rocker.angle"), 0, String(angle + 360 * turns), "", engine), "right");
   const swing = answerOf(lesson("rocker.angle:swing"), 0, "", engine);
@@ -143,7 +143,7 @@ test("an angle may be told a turn more or less, a length may not", () => {
 });
 
 test("a lesson is identified by its content, not by how it is written down", () => {
-  const jansen = engine.preset("jansen");
+  const jansen = engine.catalogue.preset("jansen");
   const lesson = lessonOf(jansen, [], { quantity: "F.y" });
   const read = engine.read(withFurther(initialState(jansen.kind, jansen.document, {}), { lesson })).lesson;
   assert.equal(digestOf(read, engine), digestOf(lesson, engine));
@@ -209,7 +209,7 @@ test("steps of a lesson are put in, moved, changed and taken away; the last one 
 });
 
 test("a question of each sort is recognised by its parts, and the engine takes it", () => {
-  const jansen = engine.preset("jansen");
+  const jansen = engine.catalogue.preset("jansen");
   for (const [sort, make] of Object.entries(QUESTIONS)) {
     const question = make("?", undefined, "F.y");
     assert.equal(sortOf(question), sort);
@@ -227,7 +227,7 @@ test("what is on the page becomes what a step shows, without what is the reader'
 });
 
 test("a lesson that is none is refused by its place", () => {
-  const jansen = engine.preset("jansen");
+  const jansen = engine.catalogue.preset("jansen");
   const good = lessonOf(jansen, [], { quantity: "F.y" });
   const refusal = (change) => {
     const lesson = structuredClone(good);
@@ -247,7 +247,7 @@ test("a lesson that is none is refused by its place", () => {
 test("every number that stands beside a drawing can be varied", () => {
   const fields = engine.functions.numbersOf(stateOf(engine, "mixer-a")).map(({ field }) => field);
   assert.deepEqual(fields, ["l1", "l2", "l3", "l4", "z4", "module", "wheels[0].z", "wheels[0].centre_line_deg"]);
-  for (const { id } of engine.catalogue) {
+  for (const { id } of engine.catalogue.presets) {
     const state = stateOf(engine, id);
     for (const { field, value } of engine.functions.numbersOf(state)) assert.ok(Number.isFinite(value), `${id} ${field}`);
   }

@@ -53,7 +53,7 @@ test("zeros are labelled with their angle, extrema with value and angle; one lab
 
 test("no label of a plot is over another, over a title or outside the plot", () => {
   const { draw, page } = begin("mixer-a");
-  for (const { id } of page.engine.catalogue.filter(({ kind }, i) => kind !== "scheme" && (i < 8 || i % 4 === 0))) {
+  for (const { id } of page.engine.catalogue.presets.filter(({ kind }, i) => kind !== "scheme" && (i < 8 || i % 4 === 0))) {
     const { draw: of } = begin(id, { phi_deg: 0 });
     for (const axes of id.startsWith("mixer") ? ["analogues", "physical"] : ["analogues"]) {
       const { panels, labels, titles } = of((state) => withView(state, { axes }));

@@ -110,7 +110,7 @@ test("links and points are called as the language calls them, with their numbers
 
 test("every mechanism of the catalogue is drawn in the colours of its links, and its labels are texts", () => {
   const { page } = begin("mixer-a");
-  for (const { id } of page.engine.catalogue) {
+  for (const { id } of page.engine.catalogue.presets) {
     const { paint, theme } = begin(id);
     const { labels, shapes } = paint();
     assert.ok(shapes.size >= 2, id);

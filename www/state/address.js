@@ -46,7 +46,7 @@ export class Address {
 
   /** @param {State} state */
   #presetOf(state) {
-    const preset = this.#engine.presetOf(state);
+    const preset = this.#engine.catalogue.presetOf(state);
     return preset && JSON.stringify(preset.document) === JSON.stringify(state.document) ? preset : null;
   }
 

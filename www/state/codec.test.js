@@ -9,7 +9,7 @@ import { often } from "assur/tests/random.js";
 const engine = newEngine();
 const usual = usualView({ lang: "en" });
 const preset = (id) => {
-  const found = engine.preset(id);
+  const found = engine.catalogue.preset(id);
   return found && { kind: found.kind, document: found.document, view: usual };
 };
 /** As a browser has it: what may not stand in an address is encoded. */
@@ -21,7 +21,7 @@ const through = (hash) => {
 const refused = (work, code = "unreadable_link") => assert.throws(work, (error) => error instanceof Refusal && error.problems[0].code === code);
 
 test("a state of every mechanism of the catalogue comes back from its address, long or short", () => {
-  for (const { id, kind, document } of engine.catalogue) {
+  for (const { id, kind, document } of engine.catalogue.presets) {
     const state = initialState(kind, document, { phi_deg: 12.5, s: 0.25, playing: false, traces: false, lang: "kk", axes: "physical" });
     const long = toAddress(state, null);
     assert.deepEqual(engine.read(fromAddress(through(long), preset)), engine.read(state), id);
@@ -55,7 +55,7 @@ test("any JSON in a document and a view comes back from an address", () => {
 });
 
 test("a file holds the whole state, as text that people can read", () => {
-  for (const { id } of engine.catalogue) {
+  for (const { id } of engine.catalogue.presets) {
     const state = withFurther(stateOf(engine, id), { lesson: { title: "T", steps: [{ title: "1", text: "x" }] } });
     const text = toFile(state);
     assert.deepEqual(fromFile(text), JSON.parse(JSON.stringify(state)));
@@ -65,7 +65,7 @@ test("a file holds the whole state, as text that people can read", () => {
 });
 
 test("a lesson and what is compared travel in an address, a picture does not", () => {
-  const compared = { kind: "linkage", document: engine.preset("jansen").document };
+  const compared = { kind: "linkage", document: engine.catalogue.preset("jansen").document };
   const lesson = { title: "Legs", steps: [{ title: "", text: "a & b" }] };
   const state = withFurther(stateOf(engine, "mixer-a"), { lesson, compared, picture: { image: "data:," } });
   for (const address of [toAddress(state, null), toAddress(state, { id: "mixer-a", usual })]) {
@@ -75,7 +75,7 @@ test("a lesson and what is compared travel in an address, a picture does not", (
 });
 
 test("a short address of what moves leaves out where the driver stands", () => {
-  const moving = initialState("linkage", engine.preset("jansen").document, { phi_deg: 33, playing: true });
+  const moving = initialState("linkage", engine.catalogue.preset("jansen").document, { phi_deg: 33, playing: true });
   assert.equal(toAddress(moving, { id: "jansen", usual }), "jansen");
   assert.equal(toAddress(withView(moving, { playing: false }), { id: "jansen", usual }), "jansen&v.phi_deg=33&v.playing=false");
 });

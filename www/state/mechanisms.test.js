@@ -12,7 +12,7 @@ import { ROOT } from "../../crates/xtask/build/temporary.js";
 const engine = newEngine();
 const view = usualView({ lang: "en" });
 const preset = (id) => {
-  const found = engine.preset(id);
+  const found = engine.catalogue.preset(id);
   return found && { kind: found.kind, document: found.document, view };
 };
 /** Why what follows a # opens nothing. */
@@ -21,7 +21,7 @@ const parts = mechanisms(ROOT);
 
 test("the page links to the whole catalogue and to every file", () => {
   const [catalogue, ...others] = parts.map(({ rows }) => rows.map(({ name }) => name).sort());
-  assert.deepEqual(catalogue, engine.catalogue.map(({ id }) => id).sort());
+  assert.deepEqual(catalogue, engine.catalogue.presets.map(({ id }) => id).sort());
   const counts = others.map((rows) => rows.length);
   assert.ok(counts[1] >= 15 && counts[2] >= 26 && counts[3] >= 10 && counts[0] > 0, `${counts}`);
 });

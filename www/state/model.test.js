@@ -102,14 +102,14 @@ test("only what a change makes necessary is asked of the engine", (t) => {
 test("a mechanism of another kind has another count of its input, and a place of its own", () => {
   const { engine, update, now } = begin("mixer-a");
   const before = now().revision;
-  const { kind, document } = engine.preset("train-gears");
+  const { kind, document } = engine.catalogue.preset("train-gears");
   const shown = update((state) => withMechanism(state, kind, document));
   assert.deepEqual([shown.kind, shown.coordinate.moves, shown.place, shown.revision], ["gear-train", "time", 0, before + 1]);
 });
 
 test("all mechanisms of the catalogue have drawings, read-outs and handles at every place they reach", () => {
   const { engine, store, update } = begin("mixer-a");
-  for (const { id, kind, document } of engine.catalogue) {
+  for (const { id, kind, document } of engine.catalogue.presets) {
     store.put(stateOf(engine, id));
     const { summary, coordinate } = update((state) => withMechanism(state, kind, document));
     if (summary.moves === null) continue;
@@ -217,11 +217,11 @@ test("what is compared is read at the same input, and only where it changes it i
   const turned = update((state) => withView(state, { phi_deg: 100 }));
   assert.notEqual(turned.compared.readouts["rocker.angle"], other.compared.readouts["rocker.angle"]);
   // The drawing has room for both.
-  const { kind, document: jansen } = engine.preset("jansen");
+  const { kind, document: jansen } = engine.catalogue.preset("jansen");
   const large = update((state) => withFurther(state, { compared: { kind, document: jansen } }));
   assert.ok(large.summary.bounds[2] - large.summary.bounds[0] > 10);
   // What goes by another sort of input is not shown beside it.
-  const train = engine.preset("train-gears");
+  const train = engine.catalogue.preset("train-gears");
   const none = update((state) => withFurther(state, { compared: { kind: train.kind, document: train.document } }));
   assert.deepEqual([none.compares, none.compared], [false, null]);
   assert.equal(update((state) => withFurther(state, { compared: undefined })).compared, null);

@@ -11,7 +11,7 @@ import { begin, exhaust } from "assur/tests/stack.js";
 begin();
 const engine = new Engine();
 const state = stateOf(engine, "crank-rocker");
-const shared = withFurther(state, { compared: { kind: state.kind, document: engine.preset("class4-dwell").document } });
+const shared = withFurther(state, { compared: { kind: state.kind, document: engine.catalogue.preset("class4-dwell").document } });
 const INPUT = 0.5;
 const { palette, scale } = themeOf(engine.roles);
 const REQUEST = { width: 400, height: 300, palette, scale, ratio: 1, whole: false, only: "all", around: 0 };

@@ -55,7 +55,7 @@ export class Rail {
     const tracers = new CardList(TRACER_LIST, page);
     this.#lists = [wheels, tracers];
     const presets = make("div", { id: "presets", class: "segments", role: "group", "data-t-label": "preset.heading" });
-    for (const { id, kind, document: preset } of engine.catalogue) {
+    for (const { id, kind, document: preset } of engine.catalogue.presets) {
       if (kind !== "mixer") continue;
       const { tracers: _, ...document } = preset;
       const name = id.replace("mixer-", "");
