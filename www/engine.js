@@ -1,10 +1,10 @@
-// The engine for the page: one Simulator, exceptions turned into problems, and recovery after a trap in its wasm.
+// The engine for the page: one Simulator, the mechanism compared with it, and recovery after a trap in its wasm.
 import { Refusal, problemsOf } from "assur/core/problem.js";
 import { compiledWasm } from "assur/core/wasm.js";
 import { withAssembled } from "assur/state/assembled.js";
 import { Catalogue } from "assur/state/catalogue.js";
 import { Compared, discard } from "assur/state/compared.js";
-import { byName } from "assur/state/readouts.js";
+import { Names, byName } from "assur/state/readouts.js";
 import { alone } from "assur/state/state.js";
 import init, * as module from "assur/pkg/assur_web.js";
 
@@ -12,10 +12,8 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/types/web.js").Summaries} Summaries
- * @typedef {Summaries[Kind]} Summary
- * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: Readouts | null, plotted: Float64Array | null }} Here
+ * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} Here
  * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
- * @typedef {import("assur/state/readouts.js").Readouts} Readouts
  */
 
 /**
@@ -39,10 +37,8 @@ export class Engine {
   /** @type {State | null} the last state that the simulator accepted */
   #good = null;
   #compared = new Compared(() => new module.Simulator());
-
   /** Number of earlier instances of the module. */
   #instances = 0;
-
   /** Whether the engine has failed since it last accepted a state. */
   trapped = false;
   /** @type {readonly string[]} */
@@ -54,14 +50,8 @@ export class Engine {
   /** Whether the document may choose the unit of lengths. */
   choosesLengths = false;
   catalogue = new Catalogue(module.catalogue());
-  /** @type {readonly string[]} */
-  #names = [];
-  /** @type {readonly string[]} points whose coordinates can be plotted */
-  points = [];
-  /** @type {readonly string[]} links whose angles are read */
-  links = [];
-  /** @type {readonly string[]} quantities read with their derivatives */
-  quantities = [];
+  /** Names of the read-outs. */
+  names = new Names([]);
 
   /** @returns {Promise<Engine>} */
   static async load() {
@@ -78,7 +68,7 @@ export class Engine {
     const summary = this.ask(() => {
       const simulator = this.#simulator;
       const taken = simulator.set(alone(state));
-      this.#name(simulator.readoutNames());
+      this.names = this.names.updated(simulator.readoutNames());
       this.labels = simulator.labelNames();
       this.lengths = simulator.lengths();
       this.choosesLengths = simulator.choosesLengths();
@@ -96,19 +86,6 @@ export class Engine {
    */
   read(value) {
     return /** @type {State} */ (this.functions.readState(value));
-  }
-
-  /**
-   * @param {State} state state to draw; the state of the page does not change
-   * @returns {{ bounds: readonly number[], scene: Float32Array, frame: Float32Array, labels: readonly string[] }} drawing
-   * of the state at its drawn input
-   */
-  sketch(state) {
-    return this.beside((other) => {
-      const summary = other.set(alone(state));
-      const home = "home" in summary ? summary.home : 0;
-      return { bounds: summary.bounds, scene: other.scene(), frame: other.at(home).frame, labels: other.labelNames() };
-    });
   }
 
   /** Whether mechanism A is shown. */
@@ -159,7 +136,7 @@ export class Engine {
    */
   at(input) {
     const { frame, handles, readouts, plotted } = this.simulator.at(input);
-    const named = byName(this.#names, readouts);
+    const named = byName(this.names.all, readouts);
     return { frame, handles, readouts: named, plotted: named && plotted };
   }
 
@@ -200,16 +177,6 @@ export class Engine {
       this.#renew();
       throw new Refusal([{ code: "trapped" }]);
     }
-  }
-
-  /** @param {readonly string[]} names of the read-outs */
-  #name(names) {
-    if (names.join() === this.#names.join()) return;
-    this.#names = names;
-    const of = (/** @type {string} */ what) => names.filter((name) => name.endsWith(what)).map((name) => name.slice(0, -what.length));
-    this.points = of(".x");
-    this.links = of(".angle");
-    this.quantities = of("″");
   }
 
   /**

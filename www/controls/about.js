@@ -29,7 +29,7 @@ export class AboutLink {
 
   /** @param {Snapshot} snapshot */
   render({ state: { view }, words }) {
-    const { links } = this.#engine;
+    const { links } = this.#engine.names;
     this.#row.hidden = !(view.instant_centres || view.centrodes || view.curvature);
     if (this.#row.hidden) return;
     // Centrodes and circles are always those of the motion relative to the frame.

@@ -69,7 +69,7 @@ export class PlotBar {
     const { overviews } = summary;
     const transmissions = "transmissions" in summary ? summary.transmissions : NONE;
     const { plot, against, measures, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
-    const { points } = this.#engine;
+    const { points } = this.#engine.names;
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
     const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, joints(transmissions), against, measures.join(), summary, ...wrong];
@@ -136,7 +136,7 @@ export class PlotBar {
       make("option", { value }, [words.text(key, { name })]);
     this.#plot.replaceChildren(
       ...overviews.map((name) => option(name, `plots.overview.${name}`, "")),
-      ...this.#engine.links.map((link) => option(`${link}.angle`, "plots.link", called(link, words))),
+      ...this.#engine.names.links.map((link) => option(`${link}.angle`, "plots.link", called(link, words))),
       ...points.map((point) => option(point, "plots.point", subscript(point))),
       ...transmissions.map(({ what, joint }) => make("option", { value: `${joint}.${what}` }, [whose({ what, of: [joint] }, words)])),
       ...measures.map((name) => make("option", { value: name }, [measure(name, words)])),

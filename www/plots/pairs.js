@@ -67,7 +67,7 @@ export class PairChoice {
       const [x, y] = choice.split(MARK);
       return { x, y };
     }
-    const names = this.#engine.quantities;
+    const names = this.#engine.names.quantities;
     const { summary } = this.#model;
     const output = summary.moves === null ? undefined : summary.outputs[0]?.name;
     const y = output ?? names[names.length - 1];
@@ -81,7 +81,7 @@ export class PairChoice {
   offered({ summary, words }) {
     const option = (/** @type {string} */ key, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ name) =>
       make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
-    const { points, quantities } = this.#engine;
+    const { points, quantities } = this.#engine.names;
     // For a mechanism without an output, the pairs of all its angles are offered.
     const named = summary.outputs.map(({ name }) => name);
     const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
@@ -120,7 +120,7 @@ export class PairChoice {
   #build(snapshot) {
     const { summary, state, coordinate, words } = snapshot;
     const transmissions = "transmissions" in summary ? summary.transmissions.map(({ what, joint }) => `${joint}.${what}`) : [];
-    const names = [...this.#engine.quantities, ...transmissions];
+    const names = [...this.#engine.names.quantities, ...transmissions];
     const physical = state.view.axes === "physical" || coordinate.moves === "time";
     if (this.#built.same(JSON.stringify([names, physical, coordinate.symbol, summary.numbers]), words)) return;
     this.#y.replaceChildren(...listed(names, summary.numbers, physical, words));

@@ -14,3 +14,26 @@ export function byName(names, values) {
   for (let i = 0; i < names.length; i++) named[names[i]] = values[i];
   return named;
 }
+
+/** Names of read-outs, and the names of the points, links and quantities in them. */
+export class Names {
+  /** @param {readonly string[]} all */
+  constructor(all) {
+    const of = (/** @type {string} */ end) => all.filter((name) => name.endsWith(end)).map((name) => name.slice(0, -end.length));
+    this.all = all;
+    /** Points whose coordinates can be plotted. */
+    this.points = of(".x");
+    /** Links whose angles are read. */
+    this.links = of(".angle");
+    /** Quantities read with their derivatives. */
+    this.quantities = of("″");
+  }
+
+  /**
+   * @param {readonly string[]} all
+   * @returns {Names} these names; the same object if nothing changes
+   */
+  updated(all) {
+    return all.join() === this.all.join() ? this : new Names(all);
+  }
+}
