@@ -12,27 +12,31 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/types/web.js").Summaries} Summaries
- * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} Here
+ * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} Placed
  * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
  */
 
 /**
- * Passes calls of functions on.
+ * Guards the functions of an object.
  * @template {object} T
  * @param {() => T} owner of the functions
  * @param {(call: () => unknown) => unknown} ask makes a call
  * @returns {T} an object with the same functions, each called by `ask`
  */
-function asked(owner, ask) {
-  const get = (/** @type {unknown} */ _, /** @type {string} */ name) => (/** @type {unknown[]} */ ...given) => ask(() => /** @type {any} */ (owner())[name](...given));
-  return /** @type {T} */ (new Proxy({}, { get }));
+function guarded(owner, ask) {
+  const member = (/** @type {string} */ name) => /** @type {any} */ (owner())[name];
+  const call = (/** @type {string} */ name) => (/** @type {unknown[]} */ ...given) => ask(() => member(name)(...given));
+  return new Proxy(/** @type {T} */ ({}), {
+    get: (_, name) => (typeof member(String(name)) === "function" ? call(String(name)) : undefined),
+    set: () => false,
+  });
 }
 
 export class Engine {
-  /** The simulator of the page. */
-  simulator = asked(() => this.#simulator, (call) => this.ask(call));
-  /** The engine's functions that need no simulator. */
-  functions = asked(() => module, (call) => this.ask(call));
+  /** @type {Omit<module.Simulator, "free">} simulator of the page */
+  simulator = guarded(() => this.#simulator, (call) => this.ask(call));
+  /** @type {Omit<typeof module, "default" | "initSync" | "AllMotions" | "Design" | "Simulator" | "__wbg_reset_state">} functions that need no simulator */
+  functions = guarded(() => module, (call) => this.ask(call));
   #simulator = new module.Simulator();
   /** @type {State | null} the last state that the simulator accepted */
   #good = null;
@@ -132,7 +136,7 @@ export class Engine {
   /**
    * All values at an input, computed from one pose.
    * @param {number} input
-   * @returns {Here}
+   * @returns {Placed}
    */
   at(input) {
     const { frame, handles, readouts, plotted } = this.simulator.at(input);

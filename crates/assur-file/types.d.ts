@@ -1,5 +1,5 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
-export type Problem = { readonly code: string, readonly field?: string, readonly [parameter: string]: string | number | undefined };
+export type Problem = { readonly code: string, readonly field?: string, readonly [parameter: string]: string | number | readonly string[] | undefined };
 export type Frozen<T> = T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T;
 export type DocumentOf<K extends Document["kind"]> = Extract<Document, { kind: K }>;
 export type Against = { 

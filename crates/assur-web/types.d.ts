@@ -5,7 +5,7 @@ export type Kind = Document["kind"];
 export type Summary = Summaries[Kind];
 export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: View, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
 export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<K>["document"]> : never;
-export type Changed<F = Fields> = { document?: F, input?: number };
+export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };

@@ -7,7 +7,7 @@ import { PARTS, withMechanism, withView } from "assur/state/state.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/types/edit.js").Edit} Edit
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ kind: "draft" | "linkage", document: import("assur/state/state.js").Documents["linkage"], point: string | null, link: string | null, held: boolean }} Drawn
+ * @typedef {ReturnType<import("assur/pkg/assur_web.js").Simulator["edit"]>} Drawn the drawing after an edit
  */
 
 /** Name of the field that shows the reason for refusing an edit. */

@@ -4,7 +4,7 @@ import { LOST } from "assur/app/notices.js";
 import { sentence } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
-import { Refusal } from "assur/core/problem.js";
+import { problemsOf } from "assur/core/problem.js";
 import { measured } from "assur/core/units.js";
 
 /** @typedef {import("assur/export/moments.js").Work} Work */
@@ -56,8 +56,9 @@ export function animations(page, theme, name, title) {
       download(blob, file);
       said.textContent = words.text("export.written", { name: file, size: words.numbers.upTo(blob.size / 1000, 0) });
     } catch (thrown) {
+      const problems = problemsOf(thrown);
       if (own.signal.aborted || (thrown instanceof DOMException && thrown.name === "AbortError")) said.textContent = words.text("export.cancelled");
-      else if (thrown instanceof Refusal) said.textContent = thrown.problems.map((problem) => sentence(problem, words)).join(" ");
+      else if (problems) said.textContent = problems.map((problem) => sentence(problem, words)).join(" ");
       else {
         console.error(thrown);
         page.notices.tell(LOST);

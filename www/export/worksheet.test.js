@@ -54,7 +54,6 @@ function print(id = "mixer-a", taught = true, prepare = () => {}) {
   prepare(page);
   const steps = taught ? new FolderLesson("mixer", LESSON, {}, page).tell(words).filter(({ question }) => question) : [];
   page.lesson = { steps: () => steps, onPaper: () => [] };
-  page.engine.code = () => null;
   globalThis.document.body.replaceChildren();
   printWorksheets(page);
   happen("beforeprint");

@@ -95,7 +95,7 @@ export class Model {
   #drawn;
   /** @type {Float32Array} */
   #scene;
-  /** @type {import("assur/engine.js").Here} the mechanism at the last input at which it could be assembled */
+  /** @type {import("assur/engine.js").Placed} the mechanism at the last input at which it could be assembled */
   #here;
   #frameInput;
   /** Unit and range of the input. */

@@ -2,7 +2,7 @@
 
 /**
  * @template T
- * @typedef {T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T} Frozen value that is never changed in place
+ * @typedef {import("assur/types/file.js").Frozen<T>} Frozen value that is never changed in place
  */
 
 /**

@@ -11,7 +11,7 @@ use crate::{
 
 /// A problem of input, a value that is never changed in place, and a document of given kinds.
 const HEAD: &str = "\
-export type Problem = { readonly code: string, readonly field?: string, readonly [parameter: string]: string | number | undefined };
+export type Problem = { readonly code: string, readonly field?: string, readonly [parameter: string]: string | number | readonly string[] | undefined };
 export type Frozen<T> = T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T;
 export type DocumentOf<K extends Document[\"kind\"]> = Extract<Document, { kind: K }>;
 ";

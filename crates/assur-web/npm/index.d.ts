@@ -22,7 +22,7 @@ export class Mechanism<K extends Kind = Kind> {
    * @param id name in the catalogue, such as `jansen`
    * @throws RangeError if the catalogue has no mechanism of this name
    */
-  static named(id: string): Mechanism;
+  static named<K extends Kind = Kind>(id: string): Mechanism<K>;
   /** Structure of the mechanism, and its motion as a whole: range of the input, dead points, swings. */
   readonly summary: Summaries[K];
   /**

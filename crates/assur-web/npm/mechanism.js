@@ -1,11 +1,11 @@
 // A mechanism from the catalogue or from a document, with its poses. The caller needs no state of the page.
-import { Simulator, catalogue, usualView } from "./engine/assur_web.js";
+import { Simulator, catalogue, defaultView } from "./engine/assur_web.js";
 
 export class Mechanism {
   #simulator = new Simulator();
 
   constructor(kind, document, view = {}) {
-    this.summary = this.#simulator.set({ format: 2, kind, document, view: { ...usualView(), ...view } });
+    this.summary = this.#simulator.set({ format: 2, kind, document, view: { ...defaultView(), ...view } });
   }
 
   static named(id) {

@@ -20,9 +20,9 @@ pub fn blank() -> JsValue {
     to_js(&Document::Draft(DraftDocument::default()))
 }
 
-/// The usual view of a mechanism.
-#[wasm_bindgen(js_name = usualView, unchecked_return_type = "View")]
-pub fn usual_view() -> JsValue {
+/// The view of a state that has none.
+#[wasm_bindgen(js_name = defaultView, unchecked_return_type = "View")]
+pub fn default_view() -> JsValue {
     to_js(&View::default())
 }
 

@@ -254,7 +254,6 @@ impl Simulator {
     ///
     /// # Errors
     /// A call before the first `set`; a document that does not move.
-    #[wasm_bindgen(unchecked_return_type = "[number, number]")]
     pub fn advance(&self, input: f64, delta: f64) -> Result<Vec<f64>, JsValue> {
         let (input, sense) = self.moves()?.advance(input, delta);
         Ok(vec![input, sense])
