@@ -1,4 +1,5 @@
 // The engine for the page: one Simulator, the mechanism compared with it, and recovery after a trap in its wasm.
+import { guarded } from "assur/core/guarded.js";
 import { Refusal, problemsOf } from "assur/core/problem.js";
 import { compiledWasm } from "assur/core/wasm.js";
 import { withAssembled } from "assur/state/assembled.js";
@@ -15,22 +16,6 @@ import init, * as module from "assur/pkg/assur_web.js";
  * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} Placed
  * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
  */
-
-/**
- * Guards the functions of an object.
- * @template {object} T
- * @param {() => T} owner of the functions
- * @param {(call: () => unknown) => unknown} ask makes a call
- * @returns {T} an object with the same functions, each called by `ask`
- */
-function guarded(owner, ask) {
-  const member = (/** @type {string} */ name) => /** @type {any} */ (owner())[name];
-  const call = (/** @type {string} */ name) => (/** @type {unknown[]} */ ...given) => ask(() => member(name)(...given));
-  return new Proxy(/** @type {T} */ ({}), {
-    get: (_, name) => (typeof member(String(name)) === "function" ? call(String(name)) : undefined),
-    set: () => false,
-  });
-}
 
 export class Engine {
   /** @type {Omit<module.Simulator, "free">} simulator of the page */
