@@ -1,5 +1,6 @@
 //! The whole state of the page, as contained in a URL, a file or an undo step. States of older versions are read, too.
 
+use assur::motion::Motion;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -123,6 +124,21 @@ impl State {
                 let problems = [checked.err(), moved.err()];
                 Err(problems.into_iter().flatten().flatten().collect())
             }
+        }
+    }
+
+    /// Like [`Self::moved`], but takes a motion over if it is that of the document.
+    ///
+    /// # Errors
+    /// Those of [`Self::moved`].
+    pub fn moved_by(&self, motion: Motion) -> Result<Moved, Vec<Problem>> {
+        match &self.document {
+            Document::Linkage(document)
+                if document.is_moved_by(&motion) && self.check().is_ok() =>
+            {
+                Moved::over(document.clone(), motion, &self.view.plot)
+            }
+            _ => self.moved(),
         }
     }
 

@@ -5,7 +5,9 @@ mod damaged;
 
 use assur::mechanism::LinkageSpec;
 use assur::motion::Motion;
-use assur_file::{LinkageDocument, Problem, catalogue, from_catalogue, from_text};
+use assur_file::{
+    LinkageDocument, Problem, catalogue, from_catalogue, from_json, from_text, gallery,
+};
 use serde_json::{Value, json};
 
 fn read(value: &Value) -> Result<LinkageDocument, (String, String)> {
@@ -331,4 +333,45 @@ fn the_catalogue_moves() {
         .map(|point| point.name.as_str())
         .collect();
     assert_eq!(points, ["A", "B", "C", "D", "C1", "C2", "C3", "E5"]);
+}
+
+/// A motion that a change has made is that of the changed document, to the last digit, and of no other.
+#[test]
+fn a_motion_is_taken_over_only_by_its_document() {
+    let mut taken = 0;
+    for name in gallery() {
+        let document = from_catalogue(name).unwrap().unwrap();
+        let motion = document.motion().unwrap();
+        assert!(document.assembly.is_some() || document.is_moved_by(&motion));
+        let mechanism = motion.mechanism();
+        for dimension in mechanism.dimensions().into_iter().take(3) {
+            let value = mechanism.value(dimension).unwrap();
+            let Ok(changed) = motion.changed(dimension, 1.01 * value, motion.drawn_input()) else {
+                continue;
+            };
+            if changed.motion.mechanism().spec() == mechanism.spec() {
+                continue;
+            }
+            let redrawn = document.redrawn(changed.motion.mechanism().spec());
+            let saved: LinkageDocument = from_json(&json!(redrawn)).unwrap();
+            assert!(saved.is_moved_by(&changed.motion), "{name}");
+            assert!(!document.is_moved_by(&changed.motion), "{name}");
+            assert!(!saved.is_moved_by(&motion), "{name}");
+            let anew = saved.motion().unwrap();
+            assert_eq!(anew.drawn_input(), changed.motion.drawn_input(), "{name}");
+            assert_eq!(anew.dead_points(), changed.motion.dead_points(), "{name}");
+            let [from, to] = anew.cycle().arcs()[0];
+            for part in [0.0, 0.2, 0.5, 0.9] {
+                let poses = [&anew, &changed.motion]
+                    .map(|one| one.pose::<3>(from + part * (to - from)).map_err(|_| ()));
+                assert_eq!(
+                    format!("{:?}", poses[0]),
+                    format!("{:?}", poses[1]),
+                    "{name}"
+                );
+            }
+            taken += 1;
+        }
+    }
+    assert!(taken > 60, "{taken}");
 }

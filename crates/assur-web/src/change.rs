@@ -1,5 +1,6 @@
 //! Changes made by hand in the drawing, in the form that the page expects.
 
+use assur::motion::Motion;
 use serde::Serialize;
 use wasm_bindgen::prelude::JsValue;
 
@@ -18,6 +19,9 @@ pub(crate) struct Change {
     /// New input: an angle in radians, or a displacement in the unit of the lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     input: Option<f64>,
+    /// Motion of the changed document, if the change has made it.
+    #[serde(skip)]
+    motion: Option<Motion>,
 }
 
 impl Change {
@@ -31,7 +35,7 @@ impl Change {
         let document = to_js(fields);
         Self {
             document,
-            input: None,
+            ..Self::default()
         }
     }
 
@@ -40,7 +44,14 @@ impl Change {
         Self { input, ..self }
     }
 
-    pub(crate) fn into_js(self) -> JsValue {
-        to_js(&self)
+    /// The same change, with the motion of the changed document.
+    pub(crate) fn and_motion(self, motion: Motion) -> Self {
+        let motion = Some(motion);
+        Self { motion, ..self }
+    }
+
+    /// The change for the page, and the motion for the state that will follow.
+    pub(crate) fn into_parts(self) -> (JsValue, Option<Motion>) {
+        (to_js(&self), self.motion)
     }
 }

@@ -2,16 +2,20 @@
 
 mod refusal;
 
+use std::cell::Cell;
+
 use assur::Point;
+use assur::motion::Motion;
 use assur_edit::Edit;
 use assur_file::{LengthUnit, Problem};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
 use crate::capabilities::{Capabilities, Edited, Moves, RelationHere, unknown};
+use crate::change::Change;
 use crate::chart;
 use crate::convert::{read, read_tagged, thrown, to_js};
-use crate::kinds::{as_kind, draft, open};
+use crate::kinds::{as_kind, draft, open_after};
 use crate::moving::Moving;
 use crate::table::SweepTable;
 use refusal::place;
@@ -25,6 +29,8 @@ pub struct Simulator {
     document: Option<Box<dyn Capabilities>>,
     /// The unit of the document's lengths, and whether its kind of document has a field for the unit.
     lengths: Option<(LengthUnit, bool)>,
+    /// The motion that the last change has made. If the next state has the changed document, it is not made again.
+    made: Cell<Option<Motion>>,
 }
 
 #[wasm_bindgen]
@@ -42,7 +48,7 @@ impl Simulator {
     #[wasm_bindgen(skip_typescript)]
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
         let state = read(&state)?;
-        let document = open(&state).map_err(thrown)?;
+        let document = open_after(self.made.take(), &state).map_err(thrown)?;
         let summary = document.summary();
         self.document = Some(document);
         self.lengths = Some((state.document.unit(), state.document.chooses_unit()));
@@ -134,7 +140,7 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn drag(&self, point: &str, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drag(point, input, place(x, y)?);
-        Ok(change.map_err(one)?.into_js())
+        Ok(self.after(change.map_err(one)?))
     }
 
     /// The change after a handle is pressed without a drag: `{document}` with the changed fields.
@@ -144,7 +150,7 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn press(&self, handle: &str) -> Result<JsValue, JsValue> {
         let change = self.edited()?.press(handle);
-        Ok(change.map_err(one)?.into_js())
+        Ok(self.after(change.map_err(one)?))
     }
 
     /// Applies an `Edit` to the open document in its pose at an input: `{kind, document, point, link, held}`, with the
@@ -206,7 +212,7 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Traced")]
     pub fn trace(&self, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.trace(input, place(x, y)?);
-        Ok(change.map_err(one)?.into_js())
+        Ok(self.after(change.map_err(one)?))
     }
 
     /// The change after a dimension, identified by its field, is set to a value at an input: `{document, input}`, with
@@ -217,7 +223,7 @@ impl Simulator {
     #[wasm_bindgen(js_name = setDimension, unchecked_return_type = "Changed")]
     pub fn set_dimension(&self, field: &str, value: f64, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.set(field, value, input);
-        Ok(change.map_err(thrown)?.into_js())
+        Ok(self.after(change.map_err(thrown)?))
     }
 
     /// The change after another of the possible drivers is chosen, in the pose at an input: `{document, input}`.
@@ -227,7 +233,7 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn drive(&self, link: &str, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drive(link, input);
-        Ok(change.map_err(thrown)?.into_js())
+        Ok(self.after(change.map_err(thrown)?))
     }
 
     /// All assemblies at an input: `{all: [{number, angle, bodies}], shown, complex, whole}`.
@@ -247,7 +253,7 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn assemble(&self, number: usize, input: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.assemble(number, input);
-        Ok(change.map_err(thrown)?.into_js())
+        Ok(self.after(change.map_err(thrown)?))
     }
 
     /// The input after a step `delta`, and a factor: −1 if the input turned back at the end of its range, otherwise 1.
@@ -349,6 +355,13 @@ impl Simulator {
     pub fn polygons(&self, input: f64, shown: usize) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.polygons(input, shown);
         Ok(to_js(&here.map_err(one)?))
+    }
+
+    /// Keeps the motion that a change has made for the next `set`, and returns the change for the page.
+    fn after(&self, change: Change) -> JsValue {
+        let (change, motion) = change.into_parts();
+        self.made.set(motion);
+        change
     }
 
     fn document(&self) -> Result<&dyn Capabilities, JsValue> {

@@ -86,7 +86,11 @@ impl Moved {
         Self::over(document, motion, plot)
     }
 
-    fn over(document: LinkageDocument, motion: Motion, plot: &str) -> Result<Self, Vec<Problem>> {
+    pub(crate) fn over(
+        document: LinkageDocument,
+        motion: Motion,
+        plot: &str,
+    ) -> Result<Self, Vec<Problem>> {
         let Some(plotted) = document.plotted(motion.mechanism(), plot) else {
             let field = "plot".into();
             return Err(vec![Problem::UnknownChoice { field }]);

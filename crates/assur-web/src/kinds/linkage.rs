@@ -1,7 +1,7 @@
 //! A linkage on the page.
 
 use assur::mechanism::{Dimension, LinkageSpec, Mechanism, Quantity};
-use assur::motion::Changed;
+use assur::motion::{Changed, Motion};
 use assur::{CombinedMethod, Point, Relation};
 use assur_draw::Annotations;
 use assur_file::{
@@ -31,8 +31,11 @@ pub(crate) struct Linkage {
 const COMBINED_METHOD: &str = "class4-dwell";
 
 impl Linkage {
-    pub(crate) fn new(state: &State) -> Result<Self, Vec<Problem>> {
-        let moved = state.moved()?;
+    pub(crate) fn new(state: &State, made: Option<Motion>) -> Result<Self, Vec<Problem>> {
+        let moved = match made {
+            Some(motion) => state.moved_by(motion)?,
+            None => state.moved()?,
+        };
         let explain =
             |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
         let quantities = Quantity::all(moved.motion.mechanism());
@@ -124,10 +127,11 @@ impl Linkage {
     }
 
     /// The document after a change, and the input if it has changed.
-    fn changed(&self, changed: &Changed, input: f64) -> Change {
+    fn changed(&self, changed: Changed, input: f64) -> Change {
         let redrawn = Redrawn::of(changed.motion.mechanism().spec());
         let other = (changed.input != input).then_some(changed.input);
-        Change::document(&redrawn).and_input(other)
+        let change = Change::document(&redrawn).and_input(other);
+        change.and_motion(changed.motion)
     }
 }
 
@@ -171,7 +175,7 @@ impl Edited for Linkage {
         if mechanism.dimensions().contains(&Dimension::X(index)) {
             let moved = moving.motion().hinge_moved(index, to, input);
             let moved = moved.map_err(|_| unknown(point))?;
-            return Ok(self.changed(&moved, input));
+            return Ok(self.changed(moved, input));
         }
         let pose = moving.pose(input)?;
         let draft = mechanism.redrawn(&pose, index, to);
@@ -183,7 +187,7 @@ impl Edited for Linkage {
         let drivers = mechanism.spec().drivers.len();
         if let Some(driver) = (1..drivers).find(|driver| rate_field(*driver) == field) {
             let changed = self.moving.motion().at_rate(driver, value, input);
-            return Ok(self.changed(&changed.map_err(Problem::all)?, input));
+            return Ok(self.changed(changed.map_err(Problem::all)?, input));
         }
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
@@ -193,7 +197,7 @@ impl Edited for Linkage {
         let changed = self.moving.motion().changed(dimension, value, input);
         let changed = changed
             .map_err(|refusal| LinkageProblem::unset(refusal, mechanism, dimension, value))?;
-        Ok(self.changed(&changed, input))
+        Ok(self.changed(changed, input))
     }
 
     fn drive(&self, link: &str, input: f64) -> Result<Change, Vec<Problem>> {
@@ -202,7 +206,7 @@ impl Edited for Linkage {
         let driver = driver.map_err(|turns| vec![LinkageProblem::from(turns).into()])?;
         let driver = driver.ok_or_else(|| vec![unknown(link)])?;
         let changed = motion.driven_by(&driver, input);
-        Ok(self.changed(&changed.map_err(Problem::all)?, input))
+        Ok(self.changed(changed.map_err(Problem::all)?, input))
     }
 
     fn assemblies(&self, input: f64) -> Option<AssembliesHere> {

@@ -10,6 +10,7 @@ pub(crate) mod synthesis;
 pub(crate) use linkage::Redrawn;
 pub(crate) use scheme::task as scheme_task;
 
+use assur::motion::Motion;
 use assur_file::{Document, Problem, State};
 
 use crate::capabilities::{Capabilities, unknown};
@@ -20,10 +21,21 @@ use crate::moving::Moving;
 /// # Errors
 /// Every problem of the state.
 pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>> {
+    open_after(None, state)
+}
+
+/// Opens the document of a state after a change that has made a motion, which may be that of the document.
+///
+/// # Errors
+/// Every problem of the state.
+pub(crate) fn open_after(
+    made: Option<Motion>,
+    state: &State,
+) -> Result<Box<dyn Capabilities>, Vec<Problem>> {
     Ok(match &state.document {
         Document::Draft(document) => Box::new(draft::Drawing::new(state, document)?),
         Document::GearTrain(document) => Box::new(gear_train::GearTrain::new(state, document)?),
-        Document::Linkage(_) => Box::new(linkage::Linkage::new(state)?),
+        Document::Linkage(_) => Box::new(linkage::Linkage::new(state, made)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),
         Document::Synthesis(document) => Box::new(synthesis::Synthesis::new(state, document)?),
         Document::Scheme(document) => Box::new(scheme::Scheme::new(state, document)?),

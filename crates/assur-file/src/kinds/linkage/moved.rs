@@ -50,6 +50,12 @@ impl LinkageDocument {
         })
     }
 
+    /// True if a motion is what [`Self::motion`] would make: it has the specification of this document.
+    pub fn is_moved_by(&self, motion: &Motion) -> bool {
+        let is_drawn = self.assembly.is_none();
+        is_drawn && self.check().is_ok() && self.spec() == *motion.mechanism().spec()
+    }
+
     /// The document with its kind: a linkage if it moves, otherwise a draft.
     pub fn as_it_moves(self) -> Document {
         if self.mechanism().is_ok() {
