@@ -331,7 +331,7 @@ impl Layout {
     }
 
     /// Pairs of bodies that stay parallel to each other, for groups with redundant constraints. The first body of a
-    /// pair may be the frame. None if the constraints fail beside the drawn pose.
+    /// pair may be the frame. None if a redundant constraint fails near the drawn pose, or if no pose is found there.
     fn parallel(&self, drawn: &Configuration) -> Option<Vec<[BodyId; 2]>> {
         let poses = self.beside(drawn);
         if poses.is_empty() {

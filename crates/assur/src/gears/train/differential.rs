@@ -107,7 +107,7 @@ impl Differential {
     /// The differential of a planar train with z₁ and z₄ teeth. It does not depend on the satellites.
     ///
     /// # Errors
-    /// Every reason at once: numbers that are not whole, positive and within [`TEETH`](crate::gears::TEETH); a ring not
+    /// Every reason at once: numbers that are not positive integers within [`TEETH`](crate::gears::TEETH); a ring not
     /// larger than the sun.
     pub fn planar(sun_and_ring: [f64; 2]) -> Result<Self, Vec<TrainError>> {
         planar_shafts(sun_and_ring).map(|[sun, ring]| Self::of(sun, ring))
