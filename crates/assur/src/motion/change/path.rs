@@ -62,9 +62,9 @@ impl Path {
     }
 }
 
-/// Moves the input by the one of [`INPUT_STEPS`], in either sense, at which the loop that had opened is furthest from
-/// opening: [`Assembled::margin`] is largest. Up to eight moves in the same sense follow while the margin grows. None
-/// if the linkage can be assembled at none of these inputs.
+/// Moves the input by one of [`INPUT_STEPS`], forwards or backwards, to where the loop that had opened is furthest from
+/// opening: where its [`Assembled::margin`] is largest. Up to eight moves in the same sense follow while the margin
+/// grows. None if the linkage can be assembled at none of the first inputs tried.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));
