@@ -70,9 +70,9 @@ impl Circles {
         (self.pole + self.diameter / 2.0, self.diameter.norm() / 2.0)
     }
 
-    /// Centre of curvature for the body's point at a position A, by Euler and Savary. It is on the line through the
-    /// pole P and A, at the distance PA²/AW from A in the direction from A to W, the other intersection of this line
-    /// with the inflection circle. None if A is the pole or is on the inflection circle.
+    /// Centre of curvature for the body's point at a position A, by Euler and Savary. The line through the pole P and A
+    /// meets the inflection circle again at W. The centre is on this line, at the distance PA²/AW from A in the
+    /// direction from A to W. None if A is the pole or is on the inflection circle.
     pub fn centre_of_curvature(&self, of: Point) -> Option<Point> {
         let r = of - self.pole;
         let square = r.norm_squared();

@@ -188,8 +188,8 @@ impl Cycle {
 impl FourBar {
     /// The crank angles of the motion.
     ///
-    /// The loop closes if the factors P and Q of the squared area ([module `four_bar`](super)) are not negative. P ≥ 0
-    /// gives a lower bound of cos²(φ₁/2), and Q ≥ 0 one of sin²(φ₁/2). The ends of the arcs are dead points.
+    /// The loop closes if the factors P and Q of the squared area (see the module) are not negative. P ≥ 0 gives a
+    /// lower bound of cos²(φ₁/2), and Q ≥ 0 one of sin²(φ₁/2). The ends of the arcs are dead points.
     pub fn cycle(&self) -> Cycle {
         // At the end of an arc P or Q is zero, and tan²(φ₁/2) is minus the ratio of this factor's values at φ₁ = 0 and
         // π. An acos would lose digits near 0 and π.

@@ -83,9 +83,9 @@ impl FourBar {
     /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with `N − 1` derivatives: `pose::<1>` for
     /// positions, `pose::<3>` for φ′ and φ″.
     ///
-    /// Each angle is the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD: mixer paper
-    /// (3)–(7), but in the correct quadrant. These sums are differentiated directly and stay exact through a change
-    /// point, where the paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
+    /// Each angle is the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD, as in (3)–(7)
+    /// of the mixer paper, but always in the correct quadrant. These sums are differentiated directly and stay exact
+    /// through a change point, where the paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -240,9 +240,9 @@ impl FourBar {
         Ok([root_p, root_q])
     }
 
-    /// The smooth square root of the factor P or Q. The factor is `ends[0] + weight half²`, which equals `ends[1] −
-    /// weight other²`. It is also the product of a difference and a sum of two lengths; the sum is `reach`. So a
-    /// tolerance of the difference, multiplied by `reach`, is a tolerance of the factor.
+    /// The smooth square root of the factor P or Q. Two forms of the factor are equal: `ends[0] + weight half²` and
+    /// `ends[1] − weight other²`. The factor is also the product of a difference and a sum of two lengths; the sum is
+    /// `reach`. So a tolerance of the difference, multiplied by `reach`, is a tolerance of the factor.
     fn root<const N: usize>(
         &self,
         [half, other]: [Jet<N>; 2],

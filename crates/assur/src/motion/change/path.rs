@@ -3,7 +3,7 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// Length of a failed step from which the input is moved too, relative to the range of the changed dimension: ten
+/// Length up to which a failed step makes the input move too, relative to the range of the changed dimension: ten
 /// halvings of the range.
 const MIN_STEP: f64 = 1.0 / 1024.0;
 /// Number of tried steps after which a failed step ends the path, unless moving the input helps.
