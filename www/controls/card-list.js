@@ -48,8 +48,8 @@ import { edited } from "assur/state/state.js";
  * A list in the documents of one kind. `name`: field of the list. `first`: the number shown on the first entry
  * (wheels of a mixer start at 5). `least`, `most`: limits of the number of entries. `written`: writes the number shown
  * on an entry. `words`: keys of the names of the buttons. `build`: makes the card of an entry. `another`: makes an
- * entry to be added. `without`: gives the fields of the document that change with the removal of an entry, if the
- * list is not the only one.
+ * entry to be added. `without`: needed if removing an entry changes other fields of the document too; gives all
+ * changed fields, including the list.
  */
 
 /**

@@ -2,7 +2,7 @@
 
 /** @typedef {import("assur/types/file.js").Problem} Problem */
 
-/** Refusal of a request, with its reasons. The errors of the engine have the same field. */
+/** Refusal of a request, with its reasons in `problems`, as in the errors of the engine. */
 export class Refusal extends Error {
   /** @param {readonly Problem[]} problems */
   constructor(problems) {

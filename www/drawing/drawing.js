@@ -90,7 +90,7 @@ export class Drawing {
 
   /** @param {KeyboardEvent} event */
   #key(event) {
-    // A document of another kind may be open, but not yet shown.
+    // The open document may already be of another kind, although it has not been shown yet.
     const drawn = this.#on && "links" in this.#document();
     if (!drawn || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;

@@ -15,8 +15,8 @@ const HAIR = 1e-9;
 /**
  * @param {Page} page
  * @param {number} count
- * @returns {number[]} inputs in the engine's unit, equally spaced over a period. A turn starts at the current input; a
- * rocking crank or a slide moves to and fro
+ * @returns {number[]} inputs over one period, in the engine's unit, at equal steps. A full cycle starts at the current
+ * input; a rocking crank or a slide goes to the end of its arc and back; time only goes forward
  */
 export function inputs({ model: { summary, coordinate }, store }, count) {
   if (summary.moves === null) return [];

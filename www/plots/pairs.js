@@ -59,7 +59,7 @@ export class PairChoice {
 
   /**
    * @param {string} choice value of the list of plots
-   * @returns {Pair | null} the pair that the choice plots, null if the choice plots no pair
+   * @returns {Pair | null} the pair that the choice stands for, or null if it is not a pair
    */
   pair(choice) {
     if (!choice.includes(MARK)) return null;

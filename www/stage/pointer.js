@@ -15,7 +15,7 @@ import { TRACERS, withView } from "assur/state/state.js";
  * }} Hand tool that receives the pointer's actions instead of the joints
  */
 
-/** Greatest distance from a pointer to a joint that it takes hold of, in pixels; `FINGER_PICK_DISTANCE`: for a finger. */
+/** Greatest distance at which a pointer takes hold of a joint, in pixels: for a mouse or pen, and for a finger. */
 const PICK_DISTANCE = 18;
 const FINGER_PICK_DISTANCE = 28;
 

@@ -102,7 +102,7 @@ pub(crate) fn arrow(list: &mut List, role: Role, from: Point, to: Point, unit: f
     head(list, role, neck, to);
 }
 
-/// Length of the head of an arrow, in symbol units, if the arrow is long enough.
+/// Length of an arrowhead, in symbol units. On short arrows it is less.
 pub(crate) const HEAD: f64 = 2.6;
 
 /// Draws the head of an arrow, from its neck to its tip.

@@ -68,9 +68,9 @@ impl GearPair {
     /// lengths. `centre_line` is the direction from the driver's centre to the driven wheel's, in radians.
     ///
     /// # Errors
-    /// All faults are returned together: numbers of teeth that are not whole, positive and within [`TEETH`]; a module
-    /// that is not positive; values that are not finite; equal numbers of teeth in internal mesh. In these errors the
-    /// driven wheel has index 0.
+    /// All faults are returned together: numbers of teeth that are not positive integers within [`TEETH`]; a module
+    /// that is not positive; values that are not finite; equal numbers of teeth in internal mesh. Dimensions with the
+    /// index of a driven wheel have index 0.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,

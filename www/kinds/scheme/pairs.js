@@ -25,7 +25,10 @@ const FORMS = Object.freeze([
 /** Value of the option that stands for a new link. */
 const NEW = "";
 
-/** Position and axis of a pair. `part`: the field with three numbers. `said`: keys of the names of the numbers. */
+/**
+ * Position and axis of a pair. `part`: the field with three numbers. `said`: keys of the texts that name the three
+ * numbers.
+ */
 const TRIPLES = Object.freeze(/** @type {const} */ ([
   { part: "at", said: ["field.pairs.at.x", "field.pairs.at.y", "field.pairs.at.z"] },
   { part: "axis", said: ["field.pairs.axis.x", "field.pairs.axis.y", "field.pairs.axis.z"] },

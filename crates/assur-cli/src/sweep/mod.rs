@@ -50,7 +50,7 @@ pub(crate) struct Asked {
     /// Acceleration of the driver, rad/s², or length/s² for a slide [default: 0]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true, requires = "omega")]
     epsilon: Option<f64>,
-    /// Angles and their derivatives in degrees; derivatives with respect to degrees of a crank
+    /// Angles in degrees instead of radians, also in derivatives, including those with respect to the angle of a crank
     #[arg(long)]
     degrees: bool,
     /// Units at the end of column names, as in rocker.angle_rad (with --degrees rocker.angle_deg) or C.vx_length_per_s

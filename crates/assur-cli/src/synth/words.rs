@@ -43,7 +43,8 @@ pub(super) fn task_error(error: &TaskError) -> String {
     }
 }
 
-/// Formats positions on a function as lines `position PHI2,PHI3`; PHI2,PHI3 can be copied to the option `--position`.
+/// Formats the positions taken from a wanted function, as lines `position PHI2,PHI3`. PHI2,PHI3 can be pasted after the
+/// option `--position`.
 pub(super) fn positions(given: &[Degrees]) -> impl Iterator<Item = String> + '_ {
     let said = |one: &Degrees| {
         format!(

@@ -7,7 +7,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
 /// Gap between the halves of a cut pair, relative to the size of the drawing.
 const GAP: f64 = 0.09;
-/// Greatest rotation in a pair to open a gap, radians.
+/// Greatest rotation of a pair in opening one gap, radians.
 const MAX_ROTATION: f64 = 0.45;
 
 /// Translation in a pair that counts as much as a turn of one radian, relative to the size of the drawing.

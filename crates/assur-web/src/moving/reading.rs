@@ -1,4 +1,4 @@
-//! Read-outs of a linkage in motion at an input.
+//! Read-outs of a moving linkage at a given input.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

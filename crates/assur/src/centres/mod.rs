@@ -7,8 +7,9 @@
 //! with groups of Class III and higher, no two known lines lead to a centre, which then follows only from velocities.
 //! See Hall, *Kinematics and Linkage Design*, ch. 4.
 //!
-//! A centre is a triple (X, Y, w) at (X/w, Y/w), with w = 0 at infinity. The difference of two links' velocities at the
-//! origin, (−y′, x′, θ′), is such a triple. The three triples of three links sum to zero: this is the theorem.
+//! A centre is represented by a triple (X, Y, w): it is at (X/w, Y/w), or at infinity if w = 0. Let one link move
+//! relative to another with the angular velocity θ′ and, at the origin, the velocity (x′, y′). Then their centre is
+//! (−y′, x′, θ′). The three such triples of three links sum to zero: this is the theorem.
 
 mod kennedy;
 mod projective;

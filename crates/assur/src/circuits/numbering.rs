@@ -82,7 +82,8 @@ impl Mechanism {
 }
 
 impl Motion {
-    /// Finds all assemblies at an input, in ascending order of their numbers, by the angle of a link from 0 to 2π.
+    /// Finds all assemblies at an input, in the order of their numbers: by the angle of the link `output`, from 0 to
+    /// 2π.
     ///
     /// The list includes the poses of this motion at the input. If the general search missed one of these poses, the
     /// list may be incomplete, unless assemblies meet in that pose.

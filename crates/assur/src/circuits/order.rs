@@ -3,7 +3,8 @@
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Sorts rows; returns their indices in ascending order. Equal rows keep their order; a row precedes its continuations.
+/// Sorts rows; returns their indices in ascending order. Equal rows keep their order; a row precedes longer rows that
+/// begin with it.
 ///
 /// Values are compared with each other and not rounded to a grid, so values that differ by rounding are always equal.
 pub(super) fn ascending(rows: &[Vec<f64>]) -> Vec<usize> {

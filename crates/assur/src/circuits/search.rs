@@ -2,9 +2,10 @@
 //! Samples are added where a branch may have been missed.
 //!
 //! Completeness: between two neighbouring ends of branches, the number of assemblies is constant unless a branch was
-//! missed. At the ends of a missed branch, a conjugate pair of complex assemblies becomes real, and complex again.
-//! Near a fold, the squared distance of the pair is about linear in the input: its value and slope at a sample predict
-//! the input of the fold. The interval to the next sample is divided until the fold is found or the pair moves apart.
+//! missed. At one end of a missed branch a conjugate pair of complex assemblies becomes real, at the other end complex
+//! again. Near a fold, the squared distance between the two assemblies is about linear in the input: its value and
+//! slope at a sample predict the input of the fold. The interval to the next sample is divided until the fold is found
+//! or the two move apart.
 
 use std::f64::consts::TAU;
 

@@ -3,7 +3,7 @@
 //!
 //! The crank AB turns about the fixed point A, the triangle GHL about H, the output CD about D. The link BE drives the
 //! triangle EFG, which the link FK joins to the triangle CKL. The values of [`CombinedMethod::relations`] come from the
-//! pose, not from the paper's chain, which divides by terms that may be zero.
+//! pose, not from the paper's chain of substitutions, which divides by terms that may be zero.
 
 mod constraints;
 mod first;

@@ -194,8 +194,8 @@ impl Second {
     }
 }
 
-/// Compares ψ′ and ψ″ from the corrected chain alone with their values in the pose. Lists the denominators of the
-/// chain, which has no result if one of them is zero.
+/// Compares ψ′ and ψ″, computed by the paper's chain of substitutions as corrected, with their values in the pose.
+/// Lists the denominators in this chain, which has no result if one of them is zero.
 pub(super) fn chain(places: &Places, first: &First) -> Vec<Relation> {
     let mut chained = places.clone();
     let g = first.solved();

@@ -1,5 +1,5 @@
-//! The paper's constraint equations with its (3) to (5) substituted: six linear equations for the analogues of E,
-//! G and C.
+//! The paper's constraint equations, into which its formulas (3) to (5) are substituted: six linear equations for the
+//! first or second derivatives of the coordinates of E, G and C.
 
 use super::first::First;
 use super::places::Places;

@@ -1,5 +1,5 @@
-//! Centrodes: the paths of the pole, the instant centre of a link and the frame. Its path in the frame is the fixed
-//! centrode; its path on the link is the moving centrode, which rolls on the fixed one.
+//! Centrodes of a link: the paths of its pole, which is the instant centre of the link relative to the frame. The path
+//! in the frame is the fixed centrode; the path on the link is the moving centrode, which rolls on the fixed one.
 
 use super::along::along;
 use crate::index::LinkId;

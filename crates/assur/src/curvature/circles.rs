@@ -10,8 +10,8 @@ use crate::{Point, Vector, perpendicular};
 /// Let p be the position of the pole, θ the angle of the body, and r the vector from the pole to a point of the body,
 /// all as complex numbers. The velocity of the point is θ′ i r, its acceleration (θ″ i − θ′²) r − θ′ i p′. Its path has
 /// no curvature if the two are parallel: if r² = r·D with D = −i p′/θ′. These points are on a circle that passes
-/// through the pole in the direction p′. For any other point, the centre of curvature is on the ray from the pole
-/// through the point (Euler, 1765; Savary, 1845).
+/// through the pole in the direction p′. For any other point, the centre of curvature is on the line through the pole
+/// and the point (Euler, 1765; Savary, 1845).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circles {
     /// The instant centre of the body and the frame.
@@ -70,9 +70,9 @@ impl Circles {
         (self.pole + self.diameter / 2.0, self.diameter.norm() / 2.0)
     }
 
-    /// Centre of curvature for the body's point at a position A, by Euler and Savary. It is on the ray from the pole P
-    /// through A, PA²/AW beyond A, where W is the intersection of the ray and the inflection circle. None if A is the
-    /// pole or is on the inflection circle.
+    /// Centre of curvature for the body's point at a position A, by Euler and Savary. The line through the pole P and A
+    /// meets the inflection circle again at W. The centre is on this line, at the distance PA²/AW from A in the
+    /// direction from A to W. None if A is the pole or is on the inflection circle.
     pub fn centre_of_curvature(&self, of: Point) -> Option<Point> {
         let r = of - self.pole;
         let square = r.norm_squared();

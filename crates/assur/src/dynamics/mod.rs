@@ -13,12 +13,12 @@
 //!
 //! L = ½J₁φ̇₁² + ½kJ₂φ̇₂² + ½(J₃ + kma²)φ̇₃² + ½J₄φ̇₄² − kEₛ(1 − cos δₛ) − kEᵣ(1 − cos δᵣ),  Eₛ = Tₛ/p₁, Eᵣ = Tᵣ/p₄,
 //!
-//! with J the moments of inertia, m the mass of a satellite, a the radius of the circle of its centre, and T the
-//! maximum torque of one satellite on the central wheel; the subscripts s and r are for the meshes of sun and ring. One
-//! satellite exerts on that wheel a torque of magnitude T sin(pΔ), with Δ the wheel's angle from the unloaded position.
-//! The torques on both wheels and the carrier follow from one potential and sum to zero. Friction (bearings and eddy
-//! currents) follows from Rayleigh's function ½c₁φ̇₁² + ½kc₂(φ̇₂ − φ̇₃)² + ½c₃φ̇₃² + ½c₄φ̇₄² + ½kdₛ(δ̇ₛ/p₁)² +
-//! ½kdᵣ(δ̇ᵣ/p₄)². Loads and drives are torques on the bodies.
+//! with J the moments of inertia, m the mass of a satellite, a the radius of the circle of its centre, and Tₛ and Tᵣ
+//! the maximum torques of one satellite on sun and ring. One satellite exerts on the sun a torque of magnitude
+//! Tₛ sin(p₁Δ), with Δ the sun's angle from the unloaded position; for the ring read Tᵣ and p₄. The torques of a mesh
+//! on both wheels and the carrier follow from one potential and sum to zero. Friction (bearings and eddy currents)
+//! follows from Rayleigh's function ½c₁φ̇₁² + ½kc₂(φ̇₂ − φ̇₃)² + ½c₃φ̇₃² + ½c₄φ̇₄² + ½kdₛ(δ̇ₛ/p₁)² + ½kdᵣ(δ̇ᵣ/p₄)².
+//! Loads and drives are torques on the bodies.
 //!
 //! A torque proportional to the sine of the relative angle, from the first harmonic of the field, is the usual model of
 //! a synchronous coupling; for magnetic couplings see E. P. Furlani, *Permanent Magnet and Electromechanical Devices*,

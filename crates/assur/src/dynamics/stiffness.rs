@@ -29,8 +29,9 @@ impl Stiffness {
 }
 
 impl Equations {
-    /// Response of each body to a torque that acts on the bodies with the coefficients n (`factors`): n²/J if the body
-    /// moves under torques, otherwise 0. A body's n and moment of inertia J include the bodies that follow its motion.
+    /// Contribution of each body to the acceleration of Σ n φ (n: `factors`) under a unit torque on that coordinate:
+    /// n²/J if the body moves under torques, otherwise 0. A body's n and moment of inertia J include those of the
+    /// bodies that follow it, referred to it.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {

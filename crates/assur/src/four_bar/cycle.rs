@@ -16,8 +16,8 @@ use super::FourBar;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
     /// Period of the input after which the motion repeats, radians. It is a whole number of turns: two, for example,
-    /// if a change point connects both assemblies. None for a driven slide, and if inputs a turn apart give different
-    /// poses.
+    /// if a change point connects both assemblies. None for a driven slide, and for a crank if inputs a turn apart give
+    /// different poses.
     period: Option<f64>,
     /// True if the input is the angle of a crank.
     turns: bool,
@@ -188,8 +188,8 @@ impl Cycle {
 impl FourBar {
     /// The crank angles of the motion.
     ///
-    /// The loop closes if the factors P and Q of the squared area (see the module) are not negative: if cos²(φ₁/2) and
-    /// sin²(φ₁/2) are at or above their lower bounds. The ends of the arcs are dead points.
+    /// The loop closes if the factors P and Q of the squared area (see the module) are not negative. P ≥ 0 gives a
+    /// lower bound of cos²(φ₁/2), and Q ≥ 0 one of sin²(φ₁/2). The ends of the arcs are dead points.
     pub fn cycle(&self) -> Cycle {
         // At the end of an arc P or Q is zero, and tan²(φ₁/2) is minus the ratio of this factor's values at φ₁ = 0 and
         // π. An acos would lose digits near 0 and π.

@@ -83,9 +83,9 @@ impl FourBar {
     /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with `N − 1` derivatives: `pose::<1>` for
     /// positions, `pose::<3>` for φ′ and φ″.
     ///
-    /// Each angle is the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD: mixer paper
-    /// (3)–(7), but in the correct quadrant. These sums are differentiated directly and stay exact through a change
-    /// point, where the paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
+    /// Each angle is the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD, as in (3)–(7)
+    /// of the mixer paper, but always in the correct quadrant. These sums are differentiated directly and stay exact
+    /// through a change point, where the paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
     ///
     /// # Errors
     /// [`Unsolved`] with the angle and the reason.
@@ -240,9 +240,9 @@ impl FourBar {
         Ok([root_p, root_q])
     }
 
-    /// The smooth square root of the factor P or Q: `ends[0] + weight half²`, which equals `ends[1] − weight other²`.
-    /// Each factor is the product of a difference and a sum of two lengths. The sum is `reach`; multiplied by it, a
-    /// tolerance of the difference becomes a tolerance of the factor.
+    /// The smooth square root of the factor P or Q. Two forms of the factor are equal: `ends[0] + weight half²` and
+    /// `ends[1] − weight other²`. The factor is also the product of a difference and a sum of two lengths; the sum is
+    /// `reach`. So a tolerance of the difference, multiplied by `reach`, is a tolerance of the factor.
     fn root<const N: usize>(
         &self,
         [half, other]: [Jet<N>; 2],
@@ -270,9 +270,9 @@ impl FourBar {
         }
     }
 
-    /// Whole turns missing in the principal values of the angles of BCD at B and D, radians. Only one angle can pass π,
-    /// and only if the area changes its sign at φ₁ = 0: the angle at B if the coupler is shorter than the rocker,
-    /// otherwise at D. The number of passes follows from the turns of the crank, so no history is needed.
+    /// Multiples of 2π to be added to the principal values of the angles of BCD at B and D. Only one of these angles
+    /// can pass π, and only if the area changes its sign at φ₁ = 0: the angle at B if the coupler is shorter than the
+    /// rocker, otherwise the angle at D. The turns of the crank give the number of passes, so no history is needed.
     fn turns(&self, assembly: Assembly, crank: f64) -> [f64; 2] {
         if !self.changes_at_zero() {
             return [0.0; 2];

@@ -135,7 +135,7 @@ impl Train {
     /// The [`Layout`] checks whether the wheels meet, and computes their positions.
     ///
     /// # Errors
-    /// Every reason at once: numbers that are not whole, positive and within [`TEETH`]; a ring that is not larger than
+    /// Every reason at once: numbers that are not positive integers within [`TEETH`]; a ring that is not larger than
     /// the sun or not larger than the satellite.
     pub fn planar(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Planar, teeth)

@@ -8,9 +8,10 @@ use crate::mechanism::{Layout, Mechanism, check};
 use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
-    /// Mechanism of a specification, redrawn in one of its assemblies at an input (radians, the coordinate of a driven
-    /// slide or, if None, the drawn input). The drawing gives only the dimensions that the specification lacks, and the
-    /// coordinates of further drivers. Returns None if the links cannot be joined at the input.
+    /// Makes the mechanism of a specification, redrawn in one of its assemblies at an input: an angle in radians or the
+    /// coordinate of a driven slide; None means the drawn input. From the drawing come only dimensions that the
+    /// specification lacks, and the coordinates of further drivers. Returns None if the links cannot be joined at the
+    /// input.
     ///
     /// # Errors
     /// All defects of the specification except defects of its drawing.

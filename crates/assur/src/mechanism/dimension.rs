@@ -69,8 +69,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if a dimension exists. A point of a link gives none if the link forms one body with another owner of this
-    /// point: with the frame, or with a link that must keep its shape.
+    /// True if a dimension exists. A link that forms one body with another link or the frame has no dimension at a
+    /// point that both share, if the other is the frame or must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {

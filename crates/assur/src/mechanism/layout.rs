@@ -58,8 +58,9 @@ pub(super) struct PassiveLinks {
 }
 
 impl Layout {
-    /// Layout of a specification with a given structure, and a guess of its drawn configuration, whose loops may be
-    /// open. If the drawn pose is known, the guess has the whole turns of this pose.
+    /// Makes the layout of a specification with a given structure, together with a first guess of the configuration,
+    /// taken from the drawing; its loops need not close. If the drawn pose is known, the angles of the guess include
+    /// the whole turns that they have in that pose.
     ///
     /// # Errors
     /// Inadmissible rates of drivers, or a group that no step can solve.

@@ -131,7 +131,7 @@ impl Assembled {
         }
     }
 
-    /// Neighbour with a given setting, at an input.
+    /// Makes the neighbour of this linkage that has a given setting, in the same assembly at a nearby input.
     ///
     /// # Errors
     /// The links that come apart or would move too far; or the defects, if the changed linkage is not a mechanism.

@@ -17,8 +17,8 @@ pub(crate) const NEVER: usize = 10_000_000;
 /// Tolerance within which a rate counts as a ratio of whole numbers.
 const WHOLE: f64 = 1e-11;
 
-/// Number of turns of the first crank after which every driver has returned. None if the first driver is a slide, or a
-/// further driver is a slide that does not return.
+/// Number of turns of the first crank after which every driver is in its initial position again. None if the first
+/// driver is a slide, or if a further driver is a slide that does not return.
 ///
 /// # Errors
 /// The drivers with inadmissible rates.

@@ -246,7 +246,8 @@ impl Layout {
     }
 
     /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank is not the number of drivers, as when drivers agree only because of their given rates.
+    /// the mobility by rank differs from the number of drivers, for example because two drivers are compatible only at
+    /// their given rates.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;
@@ -331,7 +332,7 @@ impl Layout {
     }
 
     /// Pairs of bodies that stay parallel to each other, for groups with redundant constraints. The first body of a
-    /// pair may be the frame. None if the constraints fail beside the drawn pose.
+    /// pair may be the frame. None if a redundant constraint fails near the drawn pose, or if no pose is found there.
     fn parallel(&self, drawn: &Configuration) -> Option<Vec<[BodyId; 2]>> {
         let poses = self.beside(drawn);
         if poses.is_empty() {

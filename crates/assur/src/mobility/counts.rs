@@ -60,9 +60,9 @@ impl Counts {
         mobility - self.spatial
     }
 
-    /// Number q of redundant constraints in space, for a planar scheme whose pairs have one freedom each, both in the
-    /// plane and in space: q = ΣS + 2(n − P₁), with S = 5 for each of the P₁ − n cut pairs (mobility paper, (6)). So q
-    /// is 3 for each independent loop. None for other schemes.
+    /// Number q of redundant constraints in space, for a planar scheme of n moving links and P₁ pairs that have one
+    /// freedom each, both in the plane and in space: q = ΣS + 2(n − P₁) (mobility paper, (6)). One pair is cut in each
+    /// of the P₁ − n independent loops, with S = 5 constraints, so q is 3 for each loop. None for other schemes.
     pub fn redundant_by_plane(&self) -> Option<isize> {
         let one = |pairs: &BTreeMap<u8, usize>| pairs.keys().eq([&1]);
         let applies = self.planar.is_some() && one(&self.pairs) && one(&self.spatial_pairs);

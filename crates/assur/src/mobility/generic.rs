@@ -32,8 +32,8 @@ pub enum Generic {
 }
 
 impl Scheme {
-    /// Mobility by rank in a pose nearby. This pose is reached by a small step along a motion of the drawn pose, after
-    /// which the pairs are closed again.
+    /// Mobility by rank in a pose near the drawn one. To reach it, the links are moved by a small step along the
+    /// velocities possible in the drawn pose; then the pairs are closed again.
     ///
     /// # Errors
     /// The data that the rank needs and the scheme lacks.

@@ -20,7 +20,7 @@ const PRESSURE_ANGLE: f64 = std::f64::consts::PI / 9.0;
 
 impl SchemeSpec {
     /// The scheme of a linkage in a pose. A hinge is named after its point, a slide after its point or its sliding
-    /// link, and a contact of wheels in mesh is P. Links fixed to each other are one link. Wheels that mesh "as
+    /// link, and a contact of wheels in mesh is named P. Links fixed to each other are one link. Wheels that mesh "as
     /// printed" have an idler between them ([`Mechanism::counts`]). A contact of coaxial wheels has no position.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>) -> Self {
         Self::of_sound(&mechanism.drawn_in(pose))

@@ -1,5 +1,5 @@
-//! The exact drawing nearest to one whose redundant constraints only nearly hold, because it was drawn by hand or is
-//! from a file with four decimals.
+//! Correction of a drawing in which redundant constraints hold only nearly, because it was drawn by hand or is from a
+//! file with four decimals. The result is the nearest drawing in which they hold exactly.
 //!
 //! The unknowns are the points in the drawing and in several poses of its motion. Each constrained quantity has the
 //! same value in every pose as in the drawing. The Gauss–Newton method finds the solution with the least change of the

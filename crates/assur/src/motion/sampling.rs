@@ -21,7 +21,7 @@ pub enum Spacing {
 pub enum Shown {
     /// The first turns, in one piece.
     First,
-    /// Whole turns at equal distances over the cycle, each in a separate piece.
+    /// Whole turns spread evenly over the cycle, each as a piece of its own.
     Spread,
 }
 

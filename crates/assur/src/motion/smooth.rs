@@ -52,9 +52,9 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// Smooth root interpolated from the quantity under the square root, given as `square` at the change point and
-    /// computed at the distance `reach` on both sides. Returns the error of the squared root at half this distance,
-    /// then the root.
+    /// Interpolates a smooth root from the quantity under the square root: from `square`, its value at the change
+    /// point, and from the values computed at the distance `reach` on both sides. Returns first the error of the root's
+    /// square at half this distance, then the root.
     fn interpolated(
         &self,
         step: StepId,

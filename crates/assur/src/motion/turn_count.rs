@@ -6,12 +6,11 @@ use super::DeadPoint;
 use crate::Cycle;
 use crate::mechanism::Mechanism;
 
-/// Range between two ends, and the whole turns subtracted from the followed inputs.
+/// Range of the input between two ends, and the whole turns that were subtracted from the inputs, in radians.
 ///
-/// The range begins within half a period of 0, whatever the drawn pose. If the motion could not be followed
-/// beyond an end, it is unknown there. Inputs are then shifted and wrapped only if the period is one turn and the range
-/// is at most a turn, so that the crank angle alone determines the pose. Otherwise inputs keep the turns of the drawn
-/// input.
+/// Usually inputs are shifted and wrapped by whole periods, so that the range begins within half a period of 0. If the
+/// motion could not be followed beyond an end, this is done only if the period is one turn and the range is at most a
+/// turn: then the crank angle alone determines the pose. Otherwise inputs keep the turns of the drawn input.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());

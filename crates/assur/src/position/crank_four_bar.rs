@@ -91,10 +91,11 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// Finds the angles of links placed as those of any dyad. Each is within half a turn of a known orientation.
+    /// Sets the angles of the two links after they were placed as those of any dyad. The whole turns of each angle
+    /// follow from a constant angle, from which it differs by at most half a turn.
     ///
     /// If the crank is shorter than the frame, the direction φ₅ of the diagonal is within a quarter turn of AD. So φ₂
-    /// and φ₃ are within half a turn of ±π/2.
+    /// and φ₃ are within half a turn of π/2 or, for the sign minus, of −π/2.
     fn turn_near<const N: usize>(&self, arms: &[Arm; 2], state: &mut State<N>, sign: Sign) {
         let plus = sign == Sign::Plus;
         for (arm, (angle, turn)) in arms.iter().zip(self.across) {

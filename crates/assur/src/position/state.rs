@@ -182,9 +182,9 @@ impl<const N: usize> State<N> {
         body.angle = Angle::Turned;
     }
 
-    /// Orientation of a body. Its angle follows from the turn; only the number of whole turns comes from the nearby
-    /// orientation, so rounding errors do not accumulate from pose to pose. If the outer hinges of a dyad coincide, the
-    /// turn may have any length before it is normalized.
+    /// Orientation of a body. Its angle θ follows from the turn e^(iθ); only the number of revolutions comes from the
+    /// nearby orientation, so rounding errors do not accumulate from pose to pose. If the outer hinges of a dyad
+    /// coincide, the complex number for e^(iθ) may have any length before it is normalized.
     pub(crate) fn orientation(&self, body: BodyId) -> Orientation {
         let body = &self.bodies[body];
         let turn = body.turn.value();

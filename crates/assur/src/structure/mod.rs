@@ -8,13 +8,14 @@
 //! An *Assur group* is a chain of links that adds no freedom when its outer pairs join it to links already solved, and
 //! that contains no smaller such chain. Its n links, P₁ lower pairs and P₂ higher pairs satisfy 3n = 2P₁ + P₂. A link
 //! counts as three freedoms and a hinge as the two freedoms of its point, with two constraints for each link on the
-//! hinge. So a compound hinge of k links counts as k − 1 pairs, without a choice of the two links that each of them
-//! joins. Such a choice would change the groups.
+//! hinge. So a compound hinge of k links counts as k − 1 pairs, but no pair is assigned to two of the links: such an
+//! assignment would change the groups.
 //!
 //! Each constraint of a pair is assigned to a freedom that it determines (`pebbles.rs`). The link with this freedom
 //! then depends on the other links of the pair. Links that depend on each other in a ring are solved together as a
 //! group. The groups are the same for every assignment (Servatius, Shai, Whiteley, *Combinatorial characterization of
-//! the Assur graphs from engineering*, 2010). No link is divided, even if a prismatic pair determines its angle first.
+//! the Assur graphs from engineering*, 2010). A link belongs to one group as a whole, even if a prismatic pair
+//! determines its angle before its position.
 //!
 //! # Class and order
 //!

@@ -81,9 +81,10 @@ pub(super) struct Surplus {
 }
 
 impl Pebbles {
-    /// Counts the pairs and drivers between the links to keep, and finds the parts with surplus constraints. No two
-    /// parts share a constraint, and the order of the pairs does not change them: they are the connected components of
-    /// the matroid (any two of its circuits that share an element share two nodes, and conversely).
+    /// Counts the constraints of pairs and drivers, except on links that `keep` excludes, and finds the parts of the
+    /// graph with surplus constraints. No two parts share a constraint, and the order of the pairs does not change the
+    /// parts: they are the connected components of the matroid (any two of its circuits that share an element share two
+    /// nodes, and conversely).
     pub(super) fn count(
         graph: &Graph,
         drivers: &[Driver],

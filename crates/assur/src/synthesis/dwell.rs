@@ -259,8 +259,8 @@ impl DesignVariable {
     }
 }
 
-/// Values of a motion. None if they are not defined, if the driver does not turn fully, or if the motion comes so close
-/// to a singular pose that forces grow a thousandfold.
+/// Evaluation of a motion. None if the values to be evaluated are not defined, if the driver does not turn fully, or if
+/// the motion comes so close to a singular pose that forces grow a thousandfold.
 fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluation> {
     let singularity_margin = motion.singularity_margin();
     if !motion.cycle().is_full() || singularity_margin.abs() < tolerance::NEAR {

@@ -106,8 +106,8 @@ impl Differential {
 }
 
 impl Layout {
-    /// The conditions for a coupling, met or not. A bevel train has none of coaxiality or gaps: its sun and ring are
-    /// coaxial, and axial displacement of the wheels sets the gaps.
+    /// The conditions for a coupling, met or not. For a bevel train there is no condition on coaxiality or gaps: its
+    /// sun and ring are always coaxial, and axial displacement of the wheels sets the gaps.
     pub fn conditions(&self, coupling: Coupling) -> Vec<Condition> {
         let mut conditions = match (self.train().kind(), coupling) {
             (Kind::Bevel, _) => vec![],

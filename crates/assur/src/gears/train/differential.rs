@@ -89,9 +89,9 @@ impl Shafts {
 
 /// The equation of the shafts: a ω₁ + b ω₄ − (a + b) ω₃ = 0.
 ///
-/// It is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With single-wheel satellites, planar or bevel, a = z₁ and
-/// b = z₄: the source paper's (7). With stepped satellites a = z₁z₂′ and b = z₂z₄, both divided by the greatest common
-/// divisor of z₂ and z₂′. Ratios, torques and powers all follow from the three weights of this equation.
+/// It is Willis's equation (ω₁ − ω₃)/(ω₄ − ω₃) = −b/a. With single-wheel satellites, planar or bevel, a = z₁ and b =
+/// z₄; this is equation (7) of the source paper. With stepped satellites a = z₁z₂′ and b = z₂z₄, both divided by the
+/// greatest common divisor of z₂ and z₂′. Ratios, torques and powers all follow from the weights a, −(a + b) and b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Differential {
     sun: u32,
@@ -107,7 +107,7 @@ impl Differential {
     /// The differential of a planar train with z₁ and z₄ teeth. It does not depend on the satellites.
     ///
     /// # Errors
-    /// Every reason at once: numbers that are not whole, positive and within [`TEETH`](crate::gears::TEETH); a ring not
+    /// Every reason at once: numbers that are not positive integers within [`TEETH`](crate::gears::TEETH); a ring not
     /// larger than the sun.
     pub fn planar(sun_and_ring: [f64; 2]) -> Result<Self, Vec<TrainError>> {
         planar_shafts(sun_and_ring).map(|[sun, ring]| Self::of(sun, ring))

@@ -21,10 +21,11 @@ impl Layout {
         }
     }
 
-    /// Trains that can be built with this layout's number of satellites, module and axis distance, sorted by total
-    /// change, then by the greatest change of a wheel. This train comes first if it can be built.
+    /// Trains that can be built with this layout's number of satellites, module and axis distance. They are sorted by
+    /// the sum of the changes of the wheels' numbers of teeth, then by the greatest of these changes. The train of this
+    /// layout comes first if it can be built.
     ///
-    /// At most `count` trains, with a total change of at most 60 teeth, 20 with stepped satellites.
+    /// At most `count` trains, with a sum of changes of at most 60 teeth, 20 with stepped satellites.
     pub fn suggestions(&self, coupling: Coupling, count: usize) -> Vec<Suggestion> {
         let mut found = Vec::new();
         for change in 0..=self.reach() {

@@ -310,9 +310,10 @@ impl Gear {
     }
 }
 
-/// Turn of a link as a unit vector. `ways` are the drawn vectors from the link's first point to all its points. The
-/// turn is the direction to the second point. If the second point is drawn at the first, the turn follows from the
-/// first two points that are apart both in the drawing and in the link's shape. None if no two points are apart.
+/// Orientation of a link in the drawing, as a unit vector. `ways` are the drawn vectors from the link's first point to
+/// all its points. The orientation is the direction to the second point. If that point is drawn at the first one, the
+/// orientation follows from any two points that are apart both in the drawing and in the link's shape. None if there
+/// are no such two points.
 fn drawn_turn(ways: &[Vector], shape: Option<&[Vector]>, size: f64) -> Option<Vector> {
     // However small the link is drawn, a distance that exceeds the rounding error gives the direction.
     let direction = |way: Vector, size: f64| {

@@ -13,8 +13,9 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving. Far from the origin, coordinates would lose digits. Points are
-    /// shifted without rounding (Sterbenz's lemma), because two points close together may give a direction.
+    /// Origin of the coordinates used while solving, relative to that of the drawing. A coordinate of the first fixed
+    /// point is taken if it is large compared with the drawing, since large coordinates lose digits; otherwise 0.
+    /// Subtracting it is exact (Sterbenz's lemma), so a direction given by two points close together is not changed.
     pub(in crate::mechanism) origin: Vector,
     /// Drawn positions of the points.
     pub(in crate::mechanism) places: List<PointId, Vector>,

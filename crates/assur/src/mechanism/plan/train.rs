@@ -23,8 +23,8 @@ impl Placed<'_> {
         self.bodies.active_gears().filter(of_it).collect()
     }
 
-    /// Mounts those wheels of a group whose orientation no point or guide shows. The first coupling that determines
-    /// such a wheel's angle relative to the carrier sets this angle to zero at the zero angle of the mating wheel.
+    /// Mounts those wheels of a group whose orientation no point or guide shows. Such a wheel is set by its first mesh
+    /// with a wheel of known orientation: so that the angles of both wheels relative to the carrier are zero together.
     /// Driven wheels are left out, because their coordinates give their angles.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();

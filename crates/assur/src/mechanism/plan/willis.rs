@@ -112,7 +112,8 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// The solved bodies, each with the other bodies and ratios that give its angle as a linear combination.
+    /// For each solved body, the other bodies of its equation and the ratios by which their angles are multiplied; the
+    /// sum of the products is the angle of the body.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {

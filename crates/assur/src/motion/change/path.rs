@@ -3,7 +3,7 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// Length of a failed step from which the input is moved too, relative to the range of the changed dimension: ten
+/// Length up to which a failed step makes the input move too, relative to the range of the changed dimension: ten
 /// halvings of the range.
 const MIN_STEP: f64 = 1.0 / 1024.0;
 /// Number of tried steps after which a failed step ends the path, unless moving the input helps.
@@ -62,9 +62,9 @@ impl Path {
     }
 }
 
-/// Moves the input by the one of [`INPUT_STEPS`], in either sense, at which the loop that had opened is furthest from
-/// opening: [`Assembled::margin`] is largest. Up to eight moves in the same sense follow while the margin grows. None
-/// if the linkage can be assembled at none of these inputs.
+/// Moves the input by one of [`INPUT_STEPS`], forwards or backwards, to where the loop that had opened is furthest from
+/// opening: where its [`Assembled::margin`] is largest. Up to eight moves in the same sense follow while the margin
+/// grows. None if the linkage can be assembled at none of the first inputs tried.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));

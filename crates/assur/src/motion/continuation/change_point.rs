@@ -22,9 +22,9 @@ pub(super) struct ChangePoint {
 }
 
 impl Continuation<'_> {
-    /// Change point at most a thousandth of the input's span ahead, from where Newton's method for the minimum of a
-    /// margin converges; None if there is none. Its step is `failed` or an earlier step of the plan, because a step
-    /// that depends on the links in line may be the first to fail.
+    /// Finds the nearest change point within a thousandth of the input's span ahead, after the step `failed` of the
+    /// plan was not certified over `width`. None if there is no such point, or if `width` exceeds this distance. The
+    /// links in line may belong to an earlier step of the plan, because `failed` may only depend on them.
     pub(super) fn change_point_ahead(&self, failed: StepId, width: f64) -> Option<ChangePoint> {
         if width.abs() > tolerance::NEAR * self.mechanism.span() {
             return None;

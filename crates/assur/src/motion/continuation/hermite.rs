@@ -17,8 +17,8 @@ pub(super) fn interpolated<'a>(
     })
 }
 
-/// Weights of the Taylor coefficients of one end, at the fraction `u` of `width` from this end: the polynomials that
-/// vanish with three derivatives at the other end.
+/// Weights of the Taylor coefficients of one end in the interpolation, at the fraction `u` of `width` from this end. As
+/// polynomials in `u`, they vanish with three derivatives at the other end.
 fn weights(u: f64, width: f64) -> [f64; 4] {
     let rest = (1.0 - u).powi(4);
     let x = u * width;

@@ -210,7 +210,7 @@ impl Knots {
         }
     }
 
-    /// Returns the assembly signs at an input and the quantities known near it. Writes the guess for the unknowns of
+    /// Returns the assembly signs at an input, and a nearby pose to solve from. Writes a guess for the unknowns of the
     /// groups into `guess`.
     pub(in crate::motion) fn near<'a>(
         &'a self,

@@ -74,8 +74,8 @@ struct Prediction<'a> {
 }
 
 impl<'a> Prediction<'a> {
-    /// Predicts the pose a step `width` away. The orientations are not changed, because in a certified step no body
-    /// makes half a turn.
+    /// Predicts the pose at the distance `width` from here. The orientations are kept: in a certified step no body
+    /// makes half a turn, so they still give the whole turns.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();

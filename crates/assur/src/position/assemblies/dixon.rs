@@ -3,8 +3,8 @@
 //! For m complex unknowns there are 2m directions vₖ of length 1. They satisfy m linear equations, the loops Σ cₖ vₖ +
 //! c₀ = 0; the reciprocals 1/vₖ satisfy the conjugate equations. One direction, v₁ = λ, is hidden: it counts as a
 //! constant. For each set U of m other directions, one combination of the loops contains only directions of U, with
-//! coefficients aₖ, besides the terms a₀ and λ a₁. So does the conjugate combination. With the complement V of U
-//! (m − 1 directions) they give:
+//! coefficients aₖ, besides the terms a₀ and λ a₁. The conjugate combination contains only their reciprocals, besides
+//! ā₀ and ā₁/λ. With the complement V of U (m − 1 directions) these combinations give:
 //!
 //! > (a₀ + λ a₁) X_U + Σ_{k ∈ U} aₖ Y_{U∖k} = 0,
 //! > (ā₁ + λ ā₀) Y_V + λ Σ_{k ∈ U} āₖ X_{V∪k} = 0,

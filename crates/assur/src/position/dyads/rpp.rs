@@ -19,8 +19,8 @@ pub(crate) struct Rpp {
 }
 
 impl Solvable for Rpp {
-    /// Both angles follow from the angle of the solved line. The point of j that is guided by this line is found as the
-    /// intersection of its path with a parallel to the line of the inner slide.
+    /// Both angles follow from the angle of the solved line. The point of j that this line guides is on a parallel to
+    /// it, and on a parallel to the line of the inner slide through B; so it is found as an intersection.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

@@ -60,8 +60,8 @@ impl<const N: usize> Triangle<N> {
 
     /// Places both arms from the root √(P Q).
     ///
-    /// With d = D − B, C − B = d (a + 2iσS) / r² and a = (r² + l₂² − l₃²)/2. S is the area of the triangle BCD, with
-    /// 16 S² = P Q, and σ is the sign of the side.
+    /// Let d = D − B, r = |d|, and let l₂ and l₃ be the lengths BC and CD. Then C − B = d (a + 2iσS) / r² with
+    /// a = (r² + l₂² − l₃²)/2. S is the area of the triangle BCD, with 16 S² = P Q, and σ is the sign of the side.
     #[inline(always)]
     pub(in crate::position) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], root: Jet<N>) {
         let along = (self.square + (self.sum * self.difference)) * 0.5;

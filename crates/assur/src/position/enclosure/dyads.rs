@@ -11,8 +11,8 @@ use crate::position::{Arm, Predictor, Track, product};
 const LARGE_TURN: f64 = 0.5;
 
 impl Enclosure {
-    /// Encloses two links, hinged to each other at C and to the solved points B and D. Returns false if the links may
-    /// come into line.
+    /// Encloses the motion of two links, hinged to each other at C and to the solved points B and D. Returns false if
+    /// the links may come into line.
     ///
     /// Let X be the vector from B to C, d the vector from B to D, and e₂, e₃ unit vectors along the links.
     /// Then e₂·X″ = −v₂²/l₂ and e₃·X″ = e₃·d″ − v₃²/l₃, with the speeds v₂, v₃ of C relative to B and D. So |X″| is at

@@ -40,8 +40,9 @@ impl Direction {
 
 impl Task {
     /// Input lengths z₃ > 0, ascending, that close the loop in a position with a given coupler z₁ and output z₂. They
-    /// are the roots, at most two, of the quadratic |p − z₃e₃| = z₁ with p = e₀ − z₂e₂. They are real if |p × e₃| ≤ z₁,
-    /// the region of theorems 1 and 2 in the plane of z₁ and z₂. Empty also if the task has no such position.
+    /// are the roots, at most two, of the quadratic |p − z₃e₃|² = z₁² with p = e₀ − z₂e₂. The roots are real if |p ×
+    /// e₃| ≤ z₁; this is the region of theorems 1 and 2 in the plane of z₁ and z₂. Empty also if the task has no such
+    /// position.
     pub fn closing_inputs(&self, position: usize, coupler: f64, output: f64) -> Vec<f64> {
         if position >= self.positions().len() {
             return Vec::new();

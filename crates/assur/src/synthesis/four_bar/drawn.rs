@@ -54,7 +54,8 @@ impl Solution {
     }
 
     /// Specification of the linkage as a mechanism: links `crank`, `coupler` and `rocker`, joints A to D, driven crank.
-    /// It is drawn at the first position at whose input it can be assembled, with the output nearer to the wanted one.
+    /// It is drawn at the input of the first position at which it can be assembled, in the assembly whose output angle
+    /// is nearer to the wanted one.
     ///
     /// # Errors
     /// The reason why the linkage cannot be drawn.
@@ -85,7 +86,7 @@ impl Solution {
         linkage.pose(Assembly::First, linkage.cycle().drawn_input())
     }
 
-    /// The pose at the input of a position, in the assembly with the output nearer to the wanted one.
+    /// The pose at the input of a position, in the assembly whose output angle is nearer to the wanted one.
     ///
     /// # Errors
     /// The reason why the linkage cannot be assembled there.

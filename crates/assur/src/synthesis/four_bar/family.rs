@@ -321,8 +321,8 @@ impl Family {
 
     /// All members at which the Grashof type or the assembly of a position changes, in order of the parameter. If the
     /// task has only these two positions, Grashof type and [`Passage`](super::Passage) change nowhere else. Each
-    /// condition is a straight line in (1/z₂, 1/z₃): z₁ = |1 ± z₂ ± z₃| becomes linear because the first position
-    /// determines z₁², and the condition that C is on the line BD does not contain z₂.
+    /// condition is a straight line in the plane of 1/z₂ and 1/z₃. For z₁ = |1 ± z₂ ± z₃| this holds after z₁² is
+    /// eliminated by the equation of the first position; the condition that C is on the line BD contains only z₃.
     pub fn changes(&self) -> Vec<Change> {
         let [first, _] = self.directions();
         let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {

@@ -9,8 +9,9 @@ use crate::numeric::linear::least_squares;
 
 impl Direction {
     /// Error |Δφ₂| of the output's angle at the given input, in the assembly with the smaller error. The vector from B
-    /// to D is d = e₀ − z₃e₃, and the output makes the angle ψ with d, on either side. By the law of cosines tan²(ψ/2)
-    /// = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at this input.
+    /// to D is e₀ − z₃e₃; let d be its length. The output makes the angle ψ with this vector, on either side. By the
+    /// law of cosines tan²(ψ/2) = (z₁² − (d − z₂)²) / ((d + z₂)² − z₁²). None if the linkage cannot be assembled at
+    /// this input.
     fn output_error(&self, proportions: Proportions) -> Option<f64> {
         let Proportions {
             coupler,

@@ -51,8 +51,9 @@ impl Truth {
 }
 
 /// Angle δ₊ − δ₋, radians. δ₊ is the least positive and δ₋ the greatest negative of the angles from e₀ to e₁, e₂, e₃.
-/// Positive lengths close the loop exactly if δ₊ − δ₋ is less than π: then e₀ lies strictly inside the cone of e₁, e₂,
-/// e₃. None if one of them points along e₀, all three are on one side of e₀, or an angle is not finite.
+/// Positive lengths close the loop if and only if δ₊ − δ₋ is less than π: then e₀ lies strictly inside the cone of e₁,
+/// e₂, e₃. None if one of these three points along e₀, if all three are on one side of e₀, or if an angle is not
+/// finite.
 pub fn opening(angles: &Angles) -> Option<f64> {
     if angles.is_along() {
         return None;
