@@ -1,4 +1,4 @@
-// Choice of the unit of lengths. Another unit changes the name beside the numbers, but not the numbers themselves.
+// Choice of the unit of length. Choosing another unit changes the unit shown beside the numbers, not the numbers.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { withDocument } from "assur/state/state.js";

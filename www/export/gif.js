@@ -19,7 +19,7 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
   const canvas = new OffscreenCanvas(1, 1);
   const target = targetOn(canvas, size, width, { alpha: false, willReadFrequently: true });
   const { ground, moment } = begin(theme);
-  // The moments are set up before the wait for the worker, because the page may meanwhile show another mechanism.
+  // Called before waiting for the worker, because the page may show another mechanism by the time the wait ends.
   const all = moments(page, inputs(page, count), { signal, tell: (share) => tell(PAINTING * share) });
   const worker = new Worker(import.meta.resolve("assur/export/gif-worker.js"), { type: "module" });
   const stop = () => worker.terminate();

@@ -24,9 +24,10 @@ import { holds, open } from "assur/lesson/show.js";
  *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[], plot?: string,
  *   at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
- * A document that a button opens. `name`: NAME in the key `ID.show.NAME` of the button's text, where ID is the step's id; without a name the
- * text is "Show it". `preset`: the document. `set`: changed dimensions, by their names as in `controls`. `drive`: another link to drive.
- * `play`: whether the mechanism moves. `overlays`, `plot`: fields of the view. `at`: the input, such as a crank angle.
+ * A document that a button opens. `name`: the button's text has the key `ID.show.NAME`, where ID is the step's id and
+ * NAME is this name; without a name the text is "Show it". `preset`: the document. `set`: changed dimensions, by their
+ * names as in `controls`. `drive`: another link to drive. `play`: whether the mechanism moves. `overlays`, `plot`:
+ * fields of the view. `at`: the input, such as a crank angle.
  */
 
 /**

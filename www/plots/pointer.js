@@ -48,7 +48,7 @@ export class ChartPointer {
   }
 
   /**
-   * Shows the plot under the pointer alone, or all plots again.
+   * Shows only the plot under the pointer, or all plots again.
    * @param {MouseEvent} event
    */
   #alone({ clientY }) {

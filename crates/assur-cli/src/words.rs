@@ -55,7 +55,7 @@ struct Written {
 
 impl Words {
     /// # Errors
-    /// An invalid table, which tests of the workspace exclude.
+    /// A table is invalid; the workspace's tests rule this out.
     pub(crate) fn english() -> Result<Self, Error> {
         let tables = [
             include_str!("../../../lang/en.json"),

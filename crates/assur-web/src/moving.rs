@@ -182,7 +182,8 @@ impl Moving {
         &self.polygon_sheets
     }
 
-    /// Rate of the input, as chosen for the axes.
+    /// Speed and acceleration of the input for plots, polygons and read-outs: those of the view if its axes are
+    /// physical, unit speed if they show analogues.
     pub(crate) fn input(&self) -> InputRate {
         self.settings.input
     }

@@ -97,7 +97,7 @@ impl SweepTable {
             let row = motion.row(&columns, at.input);
             let mut values = row.values;
             let mut reason = row.reason.map(|unsolved| moving.problem(&unsolved));
-            // Circles of curvature need more derivatives than all other columns.
+            // Circles of curvature need more derivatives than any other column.
             let pose = (!curved.is_empty()).then(|| motion.pose::<5>(at.input).ok());
             let pose = pose.flatten();
             for point in curved {

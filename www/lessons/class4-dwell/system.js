@@ -1,4 +1,5 @@
-// Table of the six linear equations for the analogues of the points E, G and C: numerical coefficients and solution.
+// Table of the six linear equations for the velocity and acceleration analogues of E, G and C (first and second
+// derivatives of their coordinates with respect to the input): numerical coefficients and solution.
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { withSubscripts } from "assur/core/subscripts.js";

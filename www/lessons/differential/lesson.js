@@ -112,7 +112,8 @@ function valueOf(ratios, name) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} name `ij` of the largest ratio, by which the paper characterises a differential
+ * @returns {string | undefined} indices `ij` of the largest positive ratio; the paper characterises a
+ * differential by this ratio
  */
 function largest({ ratios }) {
   const found = ratios.find((ratio) => ratio.largest);
@@ -130,8 +131,8 @@ function pitchesEach({ builds, conditions }) {
 
 /**
  * Largest z₄ − z₁ − 2z₂ at which teeth of sun 1, satellite 2 and ring 4 touch. With module m, the satellite's pitch
- * circle is m(z₄ − z₁ − 2z₂)/4 away from each of the others. Teeth of addendum m clear each other only if this gap is
- * more than 2m.
+ * circle is m(z₄ − z₁ − 2z₂)/4 away from the pitch circles of sun and ring. Teeth of addendum m clear each other only
+ * if this gap is more than 2m.
  */
 const TEETH_OF_GAPS = 8;
 

@@ -41,7 +41,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     formula: "W = W₀ − ΣS\nW = Σ i·Pᵢ − Σλₖ",
     shows: [{ preset: "mobility-2c" }],
     controls: ["method"],
-    // The answer is the number of cuts that open all contours.
+    // The answer is the number of cuts needed to open all contours.
     question: { whole: true, within: 0, answer: ({ counts }) => pairs(counts) - counts.links, places: ({ counts }) => ({ pairs: pairs(counts), links: counts.links }) },
   },
   {
@@ -112,7 +112,8 @@ function pairs({ pairs: all }) {
 
 /**
  * @param {Summary} summary
- * @returns {string | undefined} the choice, by the mobility by rank in the plane for a planar scheme and in space for any other
+ * @returns {string | undefined} whether the mobility by count is too low, right or too high compared with the mobility
+ * by rank (in the plane for a planar scheme, otherwise in space); undefined if there is no rank
  */
 function counted({ planar, plane, space, mobility }) {
   const judged = planar ? plane : space;

@@ -231,9 +231,10 @@ impl Plan {
         sketch.guide(names, pair.at, whole_degrees(pair.angle), size, Body::Frame)
     }
 
-    /// Joins the links at each welded joint to one body. If a link lists two or more parts that meet at the joint,
-    /// these are already one body, and the other links stay hinged. At a grounded joint the body turns about the joint,
-    /// like a bell crank; a single link is welded to the ground.
+    /// Welds the links at each welded joint into one body. If two or more parts of one link meet at the joint, only
+    /// those parts, already one body, are taken as welded, and the other links stay hinged. At a grounded joint the
+    /// welded links turn about it as one body, like a bell crank; but if only one link meets there, it is welded to the
+    /// ground.
     fn weld(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
         for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.welded) {
             let here = bars

@@ -102,7 +102,7 @@ fn member(line: &str) -> Result<Member, ImportProblem> {
     };
     let joints = match rest {
         [_, _, _, _, joints, ..] => joints,
-        // In some versions a block had only its joints.
+        // In some versions, the line of a block lists only its id, its kind and its joints.
         [joints, ..] if block => joints,
         _ => return Err(broken()),
     };

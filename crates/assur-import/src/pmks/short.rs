@@ -55,7 +55,8 @@ pub(super) fn plan(query: &str) -> Result<Plan, ImportProblem> {
     Ok(plan)
 }
 
-/// Removes the check character; none if it does not match the length of the text before it.
+/// Returns the text without its check character; none if that character is missing or does not match the length of the
+/// text before it.
 fn checked(query: &str) -> Option<&str> {
     let last = query.chars().next_back()?;
     let text = &query[..query.len() - last.len_utf8()];

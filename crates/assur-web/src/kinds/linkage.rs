@@ -192,7 +192,8 @@ impl Edited for Linkage {
         let mut dimensions = mechanism.dimensions().into_iter();
         let dimension = dimensions.find(|one| dimension_field(*one) == field);
         let dimension = dimension.ok_or_else(|| vec![unknown(field)])?;
-        // Many values give the same angle. The one nearest to the present value is set, or is named in the refusal.
+        // An angle has many equivalent values, whole turns apart. The one nearest to the present value is set, or named
+        // in the refusal.
         let value = mechanism.nearest(dimension, of_field(dimension, value));
         let changed = self.moving.motion().changed(dimension, value, input);
         let changed = changed

@@ -14,7 +14,7 @@ type Row = (&'static str, [f64; 6], [f64; 2]);
 /// Names of the numbers in a row: the coefficients, then the right-hand sides for first and second derivatives.
 const NAMES: [&str; 8] = ["x_E", "y_E", "x_G", "y_G", "x_C", "y_C", "′", "″"];
 
-/// Lists the numbers of all rows as relations, under the id of the row's link.
+/// Lists the coefficients and right-hand sides of all rows as relations, each under the id of its row's link.
 pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relation> {
     let [eb, eg, gh, fk] = [places.eb(), places.eg(), places.gh(), places.fk()].map(|way| way[0]);
     let [lc, cd] = [places.lc(), places.cd()].map(|way| way[0]);

@@ -325,8 +325,8 @@ enum Fold {
 mod tests {
     use super::*;
 
-    /// Crank 1 at 180°, coupler 4, rocker 3, frame 4: the diagonal is 5. C is at the right angle of a triangle 3-4-5,
-    /// at a distance of 2.4 from the diagonal.
+    /// Crank 1 at 180°, coupler 4, rocker 3, frame 4: the diagonal is 5. C is the right-angled corner of a 3-4-5
+    /// triangle, 2.4 from the diagonal.
     #[test]
     fn right_triangle() {
         let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();

@@ -135,8 +135,8 @@ impl Train {
     /// The [`Layout`] checks whether the wheels meet, and computes their positions.
     ///
     /// # Errors
-    /// Every reason at once: numbers that are not positive integers within [`TEETH`]; a ring that is not larger than
-    /// the sun or not larger than the satellite.
+    /// All numbers that are not positive integers within [`TEETH`]; if there are none, every way in which the ring is
+    /// too small (not larger than the sun, not larger than the satellite).
     pub fn planar(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Planar, teeth)
     }
@@ -166,7 +166,7 @@ impl Train {
     /// Makes a bevel train with z₁, z₂ and z₄ teeth. In the differential of a car's axle, z₄ = z₁.
     ///
     /// # Errors
-    /// Every reason at once: invalid numbers as in [`Train::planar`]; wheels whose pitch cones have no common apex.
+    /// All invalid numbers as in [`Train::planar`]; if there are none, wheels whose pitch cones have no common apex.
     pub fn bevel(teeth: [f64; 3]) -> Result<Self, Vec<TrainError>> {
         Self::whole(Kind::Bevel, teeth)
     }

@@ -82,7 +82,8 @@ impl Mechanism {
         &self.layout.steps
     }
 
-    /// The mounting of wheels and four-bars in the drawn pose.
+    /// Corrections to the planned angles of wheels and four-bars, and the bodies' whole turns, in the drawn
+    /// configuration.
     pub(crate) fn mounting(&self) -> &Mounting {
         &self.drawn.mounting
     }

@@ -10,7 +10,7 @@ use crate::{Jet, tolerance};
 pub struct WorstTransmission {
     /// Minimum transmission angle (0 at a dead point) or maximum pressure angle (π/2 at a dead point), in radians.
     pub angle: f64,
-    /// Input of the extreme angle.
+    /// Input at which this angle occurs.
     pub input: f64,
 }
 

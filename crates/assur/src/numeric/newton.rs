@@ -5,7 +5,7 @@
 pub(crate) const MAX_STEPS: usize = 12;
 /// Maximum number of steps from a drawing, which may be far from a solution.
 pub(crate) const MAX_STEPS_FROM_DRAWING: usize = 40;
-/// Size of a predicted step, relative to the unknowns, up to which the step is only rounding and not worth taking.
+/// Largest predicted next step, relative to the unknowns, that would be only rounding and is not worth taking.
 const NEGLIGIBLE_STEP: f64 = 1e-17;
 
 /// Applies steps until `is_last` holds for the sizes of the last step and of the step before it. `step` applies one

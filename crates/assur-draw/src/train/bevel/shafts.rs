@@ -53,7 +53,7 @@ impl Bevel {
         ]
     }
 
-    /// The carrier's hollow shaft, and on the shaft the driven tool, working member 8, such as a fan.
+    /// The carrier's hollow shaft, and working member 8 on it: the driven tool, such as a fan.
     pub(super) fn eighth(&self, angle: f64) -> [Part; 2] {
         let [left, at] = [self.cage[1], self.hollow];
         let colour = role(Body::Carrier);

@@ -43,7 +43,7 @@ pub enum FormulaDocument {
 
 type Function = Box<dyn Fn(f64) -> f64>;
 
-/// A valid wanted function.
+/// The wanted function, after validation.
 pub struct Wanted {
     mapping: Mapping,
     f: Function,

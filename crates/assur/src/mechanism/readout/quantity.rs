@@ -65,7 +65,8 @@ impl Quantity {
         }
     }
 
-    /// Name of the quantity, or of its `order`-th derivative with `order` letters d: `C.ddx` for the second of `C.x`.
+    /// Name of the quantity, or of its `order`-th derivative, marked by `order` letters `d`: `C.ddx` is the second
+    /// derivative of `C.x`.
     pub fn name(self, mechanism: &Mechanism, order: usize) -> String {
         let (of, what) = (self.subject(mechanism), self.kind_name());
         let prefix = "d".repeat(order);

@@ -47,10 +47,11 @@ pub enum Refusal {
     Defects(Vec<Defect>),
 }
 
-/// Resolution of the last possible value, relative to the range of the dimension; then rounded up to a power of ten.
+/// Resolution to which the last possible value is found, as a fraction of the dimension's range. The value is then
+/// rounded to a multiple of this resolution, itself rounded up to a power of ten.
 const RESOLUTION: f64 = 2e-4;
-/// Steps by which the input gives way, relative to the span of the input. The first is also the distance kept from the
-/// input at which the loop opens.
+/// Steps by which the input gives way, relative to the span of the input. When the input is moved back, the search ends
+/// once a step no longer than the first of these fails.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
 
 impl Motion {

@@ -57,7 +57,8 @@ impl Solvable for Rpr {
         // If d is perpendicular to u, the derivatives are those of a smooth root.
         let is_across = run.value().powi(2) < CLOSE_SQUARED * square.value();
         if square.value() < CLOSE_SQUARED * state.scale && !is_across {
-            // The condition is u × d = h.
+            // If d is short, the closed form would lose digits in the derivatives. They are computed instead from
+            // u × d = h with |u| = 1.
             let unit = direction.value().normalize();
             direction = Complex::of_constant_length(unit, between.left(), Jet::constant(-apart));
         }

@@ -145,7 +145,7 @@ impl Group {
 
     /// Computes the unknowns' Taylor coefficients of one order, in which the equations are linear, from lower orders.
     pub(super) fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
-        // The first order was solved together with the last correction.
+        // The first order has already been solved, together with the last correction of the values.
         if order == 1 {
             for (unknown, step) in work.unknowns.iter_mut().zip(work.step.chunks_exact(2)) {
                 unknown[order] = Vector::new(-step[0][1], -step[1][1]);

@@ -129,7 +129,8 @@ fn parallel(angles: &Angles) -> Truth {
     });
     let opposite = (angles.input - angles.output).cos() < 0.0;
     if coupler[0] == 0.0 {
-        // The coupler is parallel too. The loop closes only if the frame is also parallel: z₂ ± z₃ = e₀·e₂ − z₁ e₁·e₂.
+        // The coupler is parallel too, so the loop can close only if the frame is parallel as well. The equation left
+        // along e₂, z₂ ± z₃ = e₀·e₂ − z₁ e₁·e₂, then gives the range of z₁.
         let range = match (frame[1] > 0.0, coupler[1] < 0.0) {
             _ if opposite => Some((0.0, None)),
             (true, true) => Some((0.0, None)),
