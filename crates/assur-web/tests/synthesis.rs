@@ -130,11 +130,8 @@ fn coupler_angles_and_trial_lengths() {
     assert_eq!(open.len(), 2);
     near(&open[0]["value"], 0.3241, 5e-5);
     near(&open[1]["value"], 0.2474, 5e-5);
-    let wrong = value(
-        &simulator
-            .set(state(given, r#","trial":[10,-5,4]"#))
-            .unwrap_err(),
-    );
+    let wrong = simulator.set(state(given, r#","trial":[10,-5,4]"#));
+    let wrong = value(&problems(&wrong.unwrap_err()));
     assert_eq!(
         (&wrong[0]["code"], &wrong[0]["field"]),
         (&"not_positive".into(), &"trial[1]".into())
