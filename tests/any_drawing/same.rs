@@ -214,8 +214,8 @@ impl Comparison<'_> {
             .copied()
     }
 
-    /// How far two inputs of an end may differ: as far as rounding of the equations moves it, and as
-    /// inputs are told. An input without end is no end.
+    /// Greatest difference between the inputs of one end in two motions: the effect of rounding in the equations, and
+    /// the rounding of both inputs. 0 if either motion has no end on this side.
     fn allowed_at(&self, own: f64, other: f64) -> f64 {
         let motion = &self.subject.motion;
         if !other.is_finite() {

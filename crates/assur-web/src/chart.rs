@@ -22,26 +22,26 @@ use crate::simulator::bad;
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ChartRequest {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
+    width: u32,
+    height: u32,
     #[cfg_attr(test, ts(type = "Array<[number, number, number]>"))]
     palette: [[u8; 3]; ROLES.len()],
     /// Scale of text and lines; 1 for the usual size.
     #[serde(default = "usual")]
-    pub(crate) scale: f64,
+    scale: f64,
     /// Screen pixels per CSS pixel.
     #[serde(default = "usual")]
-    pub(crate) ratio: f64,
+    ratio: f64,
     /// Whether curves pass through all their points, for a picture that may be enlarged.
     #[serde(default)]
-    pub(crate) whole: bool,
+    whole: bool,
     /// The plot that takes all the room, if any.
     #[serde(default)]
     #[cfg_attr(test, ts(type = "Only"))]
-    pub(crate) only: Only,
+    only: Only,
     /// The input around which an endless motion is plotted.
     #[serde(default)]
-    pub(crate) around: f64,
+    around: f64,
 }
 
 fn usual() -> f64 {
@@ -49,12 +49,7 @@ fn usual() -> f64 {
 }
 
 impl ChartRequest {
-    /// Reads a request directly: JSON would refuse an infinite `around`, which stands for the end of the time axis.
-    fn read(value: &JsValue) -> Result<Self, Problem> {
-        read_directly(value, "chart")
-    }
-
-    pub(crate) fn palette(&self) -> Palette {
+    fn palette(&self) -> Palette {
         self.palette.map(|[r, g, b]| RGBColor(r, g, b))
     }
 }
@@ -70,7 +65,8 @@ pub(crate) fn draw(
     context: &CanvasRenderingContext2d,
     request: &JsValue,
 ) -> Result<JsValue, Problem> {
-    let request = ChartRequest::read(request)?;
+    // JSON would refuse an infinite `around`, which stands for the end of the time axis.
+    let request: ChartRequest = read_directly(request, "chart")?;
     let size = (request.width, request.height);
     let canvas = Canvas::new(context, size, request.ratio, request.whole);
     let (area, palette) = (canvas.into_drawing_area(), request.palette());

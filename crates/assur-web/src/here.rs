@@ -2,17 +2,29 @@
 
 use assur::Point;
 use js_sys::{Float32Array, Float64Array};
-use serde::Serialize;
-use wasm_bindgen::JsValue;
+use serde::{Serialize, Serializer};
+use serde_wasm_bindgen::preserve;
 
-use crate::convert::to_js;
-
-/// All values at an input, as [`crate::Simulator::at`] returns them.
-#[derive(Default)]
+/// The mechanism at an input.
+#[derive(Default, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Here {
+    /// Number of bodies; x, y and angle of each; then a display list of all shapes that are not rigid.
+    #[serde(serialize_with = "single_precision")]
+    #[cfg_attr(test, ts(type = "Float32Array"))]
     pub(crate) frame: Vec<f32>,
+    /// x and y of each handle of the summary.
+    #[serde(serialize_with = "double_precision")]
+    #[cfg_attr(test, ts(type = "Float64Array"))]
     pub(crate) handles: Vec<f64>,
+    /// Values of `readoutNames`; empty if derivatives are unbounded.
+    #[serde(serialize_with = "double_precision")]
+    #[cfg_attr(test, ts(type = "Float64Array"))]
     pub(crate) readouts: Vec<f64>,
+    /// For each series of the plots, its value and first two derivatives, or abscissa and ordinate if one quantity is
+    /// plotted against another; empty if derivatives are unbounded.
+    #[serde(serialize_with = "double_precision")]
+    #[cfg_attr(test, ts(type = "Float64Array"))]
     pub(crate) plotted: Vec<f64>,
 }
 
@@ -25,37 +37,14 @@ impl Here {
             ..Self::default()
         }
     }
-
-    /// The same values as typed arrays.
-    pub(crate) fn into_js(self) -> JsValue {
-        to_js(&HereArrays {
-            frame: self.frame[..].into(),
-            handles: self.handles[..].into(),
-            readouts: self.readouts[..].into(),
-            plotted: self.plotted[..].into(),
-        })
-    }
 }
 
-/// The mechanism at an input.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Here"))]
-pub(crate) struct HereArrays {
-    /// Number of bodies; x, y and angle of each; then a display list of all shapes that are not rigid.
-    #[serde(with = "serde_wasm_bindgen::preserve")]
-    #[cfg_attr(test, ts(type = "Float32Array"))]
-    frame: Float32Array,
-    /// x and y of each handle of the summary.
-    #[serde(with = "serde_wasm_bindgen::preserve")]
-    #[cfg_attr(test, ts(type = "Float64Array"))]
-    handles: Float64Array,
-    /// Values of `readoutNames`; empty if derivatives are unbounded.
-    #[serde(with = "serde_wasm_bindgen::preserve")]
-    #[cfg_attr(test, ts(type = "Float64Array"))]
-    readouts: Float64Array,
-    /// For each series of the plots, its value and first two derivatives, or abscissa and ordinate if one quantity is
-    /// plotted against another; empty if derivatives are unbounded.
-    #[serde(with = "serde_wasm_bindgen::preserve")]
-    #[cfg_attr(test, ts(type = "Float64Array"))]
-    plotted: Float64Array,
+/// Serialises numbers as a typed array of single precision.
+fn single_precision<S: Serializer>(numbers: &[f32], to: S) -> Result<S::Ok, S::Error> {
+    preserve::serialize(&Float32Array::from(numbers), to)
+}
+
+/// Serialises numbers as a typed array of double precision.
+fn double_precision<S: Serializer>(numbers: &[f64], to: S) -> Result<S::Ok, S::Error> {
+    preserve::serialize(&Float64Array::from(numbers), to)
 }

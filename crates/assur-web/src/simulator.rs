@@ -95,11 +95,10 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Here")]
     pub fn at(&self, input: f64) -> Result<JsValue, JsValue> {
         let document = self.document()?;
-        let here = match document.moves() {
+        Ok(to_js(&match document.moves() {
             Some(moves) => moves.at(input).map_err(one)?,
             None => document.still(input),
-        };
-        Ok(here.into_js())
+        }))
     }
 
     /// The plotted values of `at` alone, for the cursor of the plots.

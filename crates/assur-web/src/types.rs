@@ -8,7 +8,6 @@ use crate::capabilities::{LinkHere, RelationHere};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::curvature::CurvatureHere;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
-use crate::here::HereArrays;
 use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
@@ -67,7 +66,7 @@ fn the_scripts_know_what_crosses_the_border() {
         RelationHere,
         MotionsMap,
         Belonging,
-        HereArrays,
+        crate::here::Here,
     );
     type Shown = (
         ChartRequest,
