@@ -97,7 +97,7 @@ async fn page_speed() {
     let ready = "arguments[0]([performance.getEntriesByName('ready')[0].startTime])";
     let first = page.numbers(ready).await;
     print("first drawn frame after navigation, ms", first[0]);
-    download(&page).await;
+    first_view(&page).await;
     page.anew(home()).await;
 
     for overlay in ["centres", "vectors", "loop_vectors", "transmission"] {
@@ -152,20 +152,44 @@ async fn page_speed() {
     page.close().await;
 }
 
-/// What a first visit brings from a host that sends packed files.
-async fn download(page: &Page) {
-    let host = Host::start(&folder(), "/");
-    page.anew(&host.url()).await;
-    let sum = "const asked = ['navigation', 'resource'].flatMap((type) => performance.getEntriesByType(type));
-        arguments[0]([asked.length, asked.reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0)])";
-    let [requests, bytes] = page.numbers(sum).await[..] else {
-        panic!("two numbers")
-    };
-    print(
-        &format!("download, {requests} requests, brotli, kB"),
-        bytes / 1e3,
-    );
+/// Requests and bytes of a first visit until its first view stands, and how long it takes on this machine and over a slow line.
+/// The host sends packed files.
+async fn first_view(page: &Page) {
+    page.tool("Network.enable", json!({})).await;
+    page.tool("Network.setCacheDisabled", json!({ "cacheDisabled": true }))
+        .await;
+    for (line, latency, rate) in [
+        ("on this machine", 0, -1),
+        ("at 400 kB/s and 300 ms", 300, 400_000),
+    ] {
+        // A second visit to the same origin would be answered by the page's service worker.
+        let host = Host::start(&folder(), "/");
+        let limits = json!({ "offline": false, "latency": latency, "downloadThroughput": rate, "uploadThroughput": rate });
+        page.tool("Network.emulateNetworkConditions", limits).await;
+        page.anew(&host.url()).await;
+        let [ready, requests, bytes] = page.numbers(FIRST_VIEW).await[..] else {
+            panic!("three numbers")
+        };
+        print(&format!("first view {line}, ms"), ready);
+        print(&format!("first view {line}, requests"), requests);
+        print(&format!("first view {line}, brotli, kB"), bytes / 1e3);
+    }
+    let free =
+        json!({ "offline": false, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1 });
+    page.tool("Network.emulateNetworkConditions", free).await;
+    page.tool(
+        "Network.setCacheDisabled",
+        json!({ "cacheDisabled": false }),
+    )
+    .await;
 }
+
+/// Time of the first view, and number and packed size of what was asked for before it.
+const FIRST_VIEW: &str = "
+    const ready = performance.getEntriesByName('ready')[0].startTime;
+    const all = ['navigation', 'resource'].flatMap((type) => performance.getEntriesByType(type));
+    const asked = all.filter(({ startTime }) => startTime < ready);
+    arguments[0]([ready, asked.length, asked.reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0)])";
 
 /// A figure of the browser's own bookkeeping.
 async fn metric(page: &Page, name: &str) -> f64 {

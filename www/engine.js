@@ -1,13 +1,14 @@
 // The engine for the page: one Simulator, the mechanism compared with it, and recovery after a trap in its wasm.
 import { guarded } from "assur/core/guarded.js";
+import { NotLoaded } from "assur/core/parts.js";
 import { Refusal, problemsOf } from "assur/core/problem.js";
-import { compiledWasm } from "assur/core/wasm.js";
+import { startEngine } from "assur/core/wasm.js";
 import { withAssembled } from "assur/state/assembled.js";
 import { Catalogue } from "assur/state/catalogue.js";
 import { Compared, discard } from "assur/state/compared.js";
 import { Names, byName } from "assur/state/readouts.js";
 import { alone } from "assur/state/state.js";
-import init, * as module from "assur/pkg/assur_web.js";
+import * as module from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/state/state.js").Kind} Kind
@@ -20,7 +21,7 @@ import init, * as module from "assur/pkg/assur_web.js";
 export class Engine {
   /** @type {Omit<module.Simulator, "free">} simulator of the page */
   simulator = guarded(() => this.#simulator, (call) => this.ask(call));
-  /** @type {Omit<typeof module, "default" | "initSync" | "AllMotions" | "Design" | "Simulator" | "__wbg_reset_state">} functions that need no simulator */
+  /** @type {Omit<typeof module, "default" | "initSync" | "AllMotions" | "Design" | "Simulator" | "second" | "__wbg_reset_state">} functions that need no simulator */
   functions = guarded(() => module, (call) => this.ask(call));
   #simulator = new module.Simulator();
   /** @type {State | null} the last state that the simulator accepted */
@@ -44,7 +45,7 @@ export class Engine {
 
   /** @returns {Promise<Engine>} */
   static async load() {
-    await init({ module_or_path: compiledWasm() });
+    await startEngine();
     return new Engine();
   }
 
@@ -161,10 +162,11 @@ export class Engine {
     } catch (thrown) {
       if (problemsOf(thrown)) throw thrown;
       console.error(thrown);
-      this.trapped = true;
+      const loaded = !(thrown instanceof NotLoaded);
+      this.trapped = loaded;
       this.#compared.takeAnew();
       this.#renew();
-      throw new Refusal([{ code: "trapped" }]);
+      throw new Refusal([{ code: loaded ? "trapped" : "not_arrived" }]);
     }
   }
 

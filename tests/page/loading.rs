@@ -3,6 +3,7 @@
 use serde_json::json;
 
 use crate::browser::{Page, lacking};
+use crate::host::home;
 
 /// The head of the page asks for all of it, so that it comes with the second round trip: no
 /// script has to arrive before it says what else is needed.
@@ -21,12 +22,17 @@ async fn the_first_view_is_asked_for_at_once() {
     for name in [
         "/style.css",
         "/app/main.js",
-        "/pkg/assur_web_bg.wasm",
+        "/pkg/first.wasm",
         "/lang/en.json",
     ] {
         let there = names.iter().any(|address| address.ends_with(name));
         assert!(there, "{name} is missing: {names:?}");
     }
+    let rest = |address: &String| address.ends_with("/pkg/second.wasm");
+    assert!(
+        !names.iter().any(rest),
+        "the first view waits for the rest of the engine: {names:?}"
+    );
     let first: std::collections::BTreeSet<_> = names.iter().collect();
     assert_eq!(first.len(), names.len(), "asked for twice: {names:?}");
     assert!(names.len() <= 20, "{names:?}");
@@ -65,5 +71,57 @@ async fn what_is_on_its_way_shows_that_it_is() {
     })
     .await;
     assert_eq!(busy().await, json!(null));
+    page.close().await;
+}
+
+/// Makes the second part of the engine fail to load: `gone`, or `damaged`; null lets it load.
+const LOSE: &str = "
+    globalThis.lost = 'gone';
+    const isLost = (url) => lost && String(url).endsWith('second.wasm');
+    const { fetch } = globalThis;
+    globalThis.fetch = (url, ...more) => {
+        if (!isLost(url)) return fetch(url, ...more);
+        return lost === 'gone' ? Promise.reject(new TypeError(lost)) : Promise.resolve(new Response(lost));
+    };
+    const { open } = XMLHttpRequest.prototype;
+    XMLHttpRequest.prototype.open = function (method, url, ...more) {
+        const other = lost === 'gone' ? 'gone.wasm' : 'style.css';
+        return open.call(this, method, isLost(url) ? other : url, ...more);
+    };";
+
+/// The page works with the first part of its engine. A mechanism that needs the rest is refused while the rest does not
+/// load, and shown once it does.
+#[tokio::test]
+async fn the_rest_of_the_engine_may_come_later_or_not_at_all() {
+    let page = Page::open().await;
+    page.before(LOSE).await;
+    page.anew(home()).await;
+    let title = page.ask("return document.title").await;
+    for lost in ["gone", "damaged"] {
+        page.ask(&format!("lost = '{lost}'; location.hash = '#class4-dwell'"))
+            .await;
+        page.until("the reason", async || {
+            let told = page.text("notice-text").await;
+            told.contains("Part of the page did not load.")
+        })
+        .await;
+        assert_eq!(page.ask("return document.title").await, title);
+        let before = page.value("out-input").await;
+        page.until("the mixer to turn", async || {
+            page.value("out-input").await != before
+        })
+        .await;
+        page.ask("document.getElementById('notice-close').click(); location.hash = ''")
+            .await;
+    }
+    page.ask("lost = null; location.hash = '#class4-dwell'")
+        .await;
+    page.until("the Class IV mechanism", async || {
+        page.ask("return document.title").await != title
+    })
+    .await;
+    assert_eq!(page.text("notice-text").await, "");
+    // The browser names the files that it did not get, and the engine the calls that failed.
+    page.said().await;
     page.close().await;
 }

@@ -4,7 +4,8 @@ import { Engine } from "assur/engine.js";
 import { initSync } from "assur/pkg/assur_web.js";
 import { initialState } from "assur/state/state.js";
 
-export const WASM = new URL(import.meta.resolve("assur/pkg/assur_web_bg.wasm"));
+/** The whole module: the page has it in two parts. */
+export const WASM = new URL("../../engine/assur_web_bg.wasm", import.meta.resolve("assur/pkg/assur_web.js"));
 
 let begun = false;
 

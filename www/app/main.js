@@ -3,8 +3,11 @@ import { chosenLanguage } from "assur/app/language.js";
 import { open } from "assur/app/opening.js";
 import { Page } from "assur/app/page.js";
 import { byId } from "assur/core/dom.js";
+import { compiledWasm } from "assur/core/wasm.js";
 import { Words } from "assur/core/words.js";
 import { Engine } from "assur/engine.js";
+import { addressed } from "assur/state/address.js";
+import { stored } from "assur/state/storage.js";
 
 async function start() {
   const { search } = location;
@@ -12,7 +15,9 @@ async function start() {
   const lang = (framed ? null : chosenLanguage()) ?? document.documentElement.lang;
   const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
   // Usually the state has this language, so that no other words need to be loaded.
-  const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang)]);
+  // The first preset needs only the first part of the engine; other states may need all of it.
+  const rest = addressed(location.href) === "" && stored() === null ? null : compiledWasm().catch(() => null);
+  const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang), rest]);
   const embedding = part && new part.Embedding(search);
   const habits = embedding?.habits(reader) ?? reader;
   const found = await open(engine, habits);

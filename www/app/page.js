@@ -11,6 +11,7 @@ import { Views } from "assur/app/views.js";
 import { welcome } from "assur/app/welcome.js";
 import { Theme } from "assur/canvas/theme.js";
 import { byId, setData } from "assur/core/dom.js";
+import { compiledWasm } from "assur/core/wasm.js";
 import { Words } from "assur/core/words.js";
 import { Lesson } from "assur/lesson/lesson.js";
 import { ChartView } from "assur/plots/chart.js";
@@ -112,18 +113,20 @@ export class Page {
     requestAnimationFrame(() => requestAnimationFrame(() => {
       setData(document.documentElement, "ready", "true");
       performance.mark("ready");
-      dispatchEvent(new Event("ready"));
       this.#prepare();
     }));
   }
 
-  /** Preloads the worksheet, because the browser's print command cannot wait for it, and the often-used gallery. */
+  /** Loads the rest of the engine, then the worksheet, because the browser's print command cannot wait for it, and the often-used gallery. */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
+    // If it does not load now, it is loaded by the first call that needs it.
+    await compiledWasm().catch(() => null);
     import("assur/gallery/gallery.js").catch(() => null);
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);
     performance.mark("printable");
+    dispatchEvent(new Event("prepared"));
   }
 
   /** @returns {import("assur/app/opening.js").Habits} habits with the page's current language, for states without one */

@@ -1,6 +1,7 @@
 // All motions of a linkage, in a worker: the map of the branches, and the branch of each assembly at an input.
 import { problemsOf } from "assur/core/problem.js";
-import load, { AllMotions } from "assur/pkg/assur_web.js";
+import { start } from "assur/core/parts.js";
+import { AllMotions } from "assur/pkg/assur_web.js";
 
 /** @type {Promise<unknown> | null} */
 let engine = null;
@@ -10,7 +11,7 @@ let motions = null;
 addEventListener("message", async ({ data }) => {
   try {
     // The compiled wasm comes with the first question.
-    engine ??= load({ module_or_path: data.wasm });
+    engine ??= start(data.wasm.first, () => data.wasm.second);
     await engine;
     if (data.state) {
       motions?.free();

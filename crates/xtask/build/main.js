@@ -1,12 +1,12 @@
 // The build of the page, as `cargo xtask` calls it: `site` writes what is served, `dist` what is given away of it.
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
 import { bytes, read, replace, write } from "./files.js";
 import { ELEMENT, hosted, packed } from "./host.js";
 import { pack } from "./package.js";
 import { single } from "./single.js";
-import { filled, site } from "./site.js";
+import { ENGINE, WHOLE, filled, site } from "./site.js";
 
 const string = Object.freeze({ type: /** @type {const} */ ("string"), default: "" });
 const { positionals, values } = parseArgs({ allowPositionals: true, options: { root: string, target: string, version: string } });
@@ -25,7 +25,7 @@ async function writeDist() {
   const to = path.join(root, "dist");
   const built = read(folder);
   const index = filled(root, built, version);
-  const file = single(built, index);
+  const file = single(built, index, readFileSync(path.join(root, ENGINE, WHOLE)));
   write(to, new Map([["assur.html", Buffer.from(file)], [ELEMENT, bytes(built, ELEMENT)]]));
   const files = hosted(built, index);
   const place = path.join(to, "site");

@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { read, replace } from "./files.js";
-import { ENGINE } from "./site.js";
+import { ENGINE, WHOLE } from "./site.js";
 
 /**
  * @param {{ root: string, site: string, staging: string, to: string, version: string }} options
@@ -14,7 +14,7 @@ export function pack({ root, site, staging, to, version }) {
   for (const [name, content] of files) files.set(name, String(content).replaceAll("{{version}}", version));
   for (const [name, place] of [
     ["engine/assur_web.js", path.join(site, "pkg/assur_web.js")],
-    ["engine/assur_web_bg.wasm", path.join(site, "pkg/assur_web_bg.wasm")],
+    ["engine/assur_web_bg.wasm", path.join(root, ENGINE, WHOLE)],
     ["LICENSE-MIT", path.join(root, "LICENSE-MIT")],
     ["LICENSE-APACHE", path.join(root, "LICENSE-APACHE")],
   ]) {

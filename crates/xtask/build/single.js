@@ -4,8 +4,11 @@ import { gzipSync } from "node:zlib";
 import { dataAddress, text } from "./files.js";
 import { Page } from "./page.js";
 
-/** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages. */
-const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$/;
+/** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages, a part of the engine. */
+const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$|^pkg\/second\.wasm$/;
+
+/** Name of the engine on the page. */
+const ENGINE = "pkg/first.wasm";
 
 /** What is three times as small packed: the engine, and tables, most of them in four languages. */
 const PACKED = /\.(wasm|json)$/;
@@ -13,9 +16,10 @@ const PACKED = /\.(wasm|json)$/;
 /**
  * @param {import("./files.js").Files} built
  * @param {string} index the page
+ * @param {Buffer} engine the whole module, instead of its two parts
  * @returns {string}
  */
-export function single(built, index) {
+export function single(built, index, engine) {
   const page = new Page(index, "file");
   /** @type {Record<string, string>} */
   const imports = {};
@@ -24,6 +28,7 @@ export function single(built, index) {
     if (OUTSIDE.test(name) || (name.endsWith(".css") && !name.includes("/"))) continue;
     imports[`assur/${name}`] = PACKED.test(name) ? packed(content) : dataAddress(name, content);
   }
+  imports[`assur/${ENGINE}`] = packed(engine);
   page.setImportMap(imports);
   return page.text();
 }

@@ -16,11 +16,12 @@ function file(changes = {}) {
     "linkage/style.css": "a { color: blue }",
     "offline/service-worker.js": "1",
     "assur-mechanism.js": "2",
-    "pkg/assur_web_bg.wasm": "\0asm",
+    "pkg/first.wasm": "\0asm, first part",
+    "pkg/second.wasm": "\0asm, second part",
     "style.css": "body { color: red }",
     ...changes,
   };
-  return single(new Map(Object.entries(site).map(([name, text]) => [name, Buffer.from(text)])), PAGE);
+  return single(new Map(Object.entries(site).map(([name, text]) => [name, Buffer.from(text)])), PAGE, Buffer.from("\0asm"));
 }
 
 /** @param {string} page */
@@ -31,7 +32,7 @@ function imports(page) {
 
 test("every script, table, late style sheet and the wasm is in the import map", () => {
   const map = imports(file());
-  const names = ["app/main.js", "lang/en.json", "linkage/style.css", "pkg/assur_web_bg.wasm"];
+  const names = ["app/main.js", "lang/en.json", "linkage/style.css", "pkg/first.wasm"];
   assert.deepEqual(Object.keys(map).sort(), names.map((name) => `assur/${name}`));
   assert.ok(map["assur/linkage/style.css"].startsWith("data:text/css;charset=utf-8;base64,"));
   assert.ok(map["assur/app/main.js"].startsWith("data:text/javascript;charset=utf-8;base64,"));
@@ -39,7 +40,7 @@ test("every script, table, late style sheet and the wasm is in the import map", 
     const [, packed] = map[name].split("data:application/gzip;base64,");
     return gunzipSync(Buffer.from(packed, "base64")).toString();
   };
-  assert.equal(unpacked("assur/pkg/assur_web_bg.wasm"), "\0asm");
+  assert.equal(unpacked("assur/pkg/first.wasm"), "\0asm");
   assert.equal(unpacked("assur/lang/en.json"), "{}");
 });
 
@@ -51,6 +52,6 @@ test("nothing is left outside the file, and nothing that is in it is asked for",
 });
 
 test("what cannot go in is a sentence", () => {
-  assert.throws(() => single(new Map(), PAGE), /there is no style\.css/);
+  assert.throws(() => single(new Map(), PAGE, Buffer.from("")), /there is no style\.css/);
   assert.throws(() => file({ "picture.odd": "1" }), /no media type is known for picture\.odd/);
 });

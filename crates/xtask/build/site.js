@@ -15,6 +15,12 @@ const PAGE = "index.html";
 /** Where `cargo xtask` puts the engine with its types, in the repository. */
 export const ENGINE = "target/engine";
 
+/** The whole module of the engine. */
+export const WHOLE = "assur_web_bg.wasm";
+
+/** The two parts of the engine's module: see `crates/xtask/src/parts`. */
+const PARTS = Object.freeze(["first.wasm", "second.wasm"]);
+
 /** Used up by the build: scripts, parts of the first style sheet, facts of folders, words that go into the tables of the page. */
 const SOURCE = /\.js$|^styles\/|^lessons\/[^/]+\/lesson\.json$|^kinds\/[^/]+\/(kind|words\.\w+)\.json$/;
 
@@ -27,7 +33,7 @@ const PAPER = /^lessons\/[^/]+\/paper\.json$/;
  */
 export async function site({ root, more, version }) {
   const sources = list(path.join(root, "www"));
-  for (const name of ["assur_web.js", "assur_web_bg.wasm"]) sources.set(`pkg/${name}`, path.join(root, ENGINE, name));
+  for (const name of ["assur_web.js", ...PARTS]) sources.set(`pkg/${name}`, path.join(root, ENGINE, name));
   if (more) for (const [name, file] of list(more)) sources.set(name, file);
 
   /** @type {import("./files.js").Files} */

@@ -8,6 +8,7 @@ mod bench;
 mod browser;
 mod measured;
 mod packages;
+mod parts;
 mod site;
 mod step;
 mod tally;

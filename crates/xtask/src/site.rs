@@ -3,16 +3,33 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context as _, Result};
 use serde_json::json;
 use xshell::cmd;
 
+use crate::parts;
 use crate::step::{announce, run};
 use crate::tools::{self, WASM};
 use crate::workspace::{VERSION, Workspace, cargo_home};
 
 /// Inlining threshold below LLVM's default. It makes the download smaller, and nothing is measurably slower.
 const INLINING: &str = "-Cllvm-args=--inline-threshold=50";
+
+/// The imports of the module in the bindings, and the one that is added for its first part.
+const IMPORTS: &str = "\"./assur_web_bg.js\": import0,";
+const LOAD: &str = "second: { load: () => second.load() },";
+/// What the page replaces to load the second part of the module.
+const LOADING: &str = "
+export const second = {
+    load() {
+        throw new Error(\"nothing loads the second part of the engine\");
+    },
+};
+";
+const LOADING_TYPE: &str = "
+/** Loads the second part of the module, if the module is divided. */
+export const second: { load(): void };
+";
 
 /// Installs what the build needs, then builds.
 pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
@@ -22,6 +39,7 @@ pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
     announce("page", "building the release");
     let wasm = compile(workspace)?;
     bind(workspace, &bindgen, &wasm)?;
+    divide(workspace)?;
     write(workspace, "site", None)
 }
 
@@ -55,6 +73,34 @@ fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
             --remove-name-section --remove-producers-section --experimental-reset-state-function"
     );
     run(bindgen, "writing the bindings")
+}
+
+/// Divides the module into two parts: what the calls of `build/first-view.js` use is in the first.
+fn divide(workspace: &Workspace) -> Result<()> {
+    let Workspace { shell, root, .. } = workspace;
+    let engine = workspace.target.join("engine");
+    let whole = shell.read_binary_file(engine.join("assur_web_bg.wasm"))?;
+    let marked = engine.join("marked.wasm");
+    shell.write_file(&marked, parts::marked(&whole)?)?;
+    let script = root.join("crates/xtask/build/first-view.js");
+    let called = cmd!(shell, "node {script} {engine} {marked}").read()?;
+    let called =
+        serde_json::from_str(&called).context("the functions of the first view cannot be read")?;
+    for (name, addition) in [("assur_web.js", LOADING), ("assur_web.d.ts", LOADING_TYPE)] {
+        let file = engine.join(name);
+        let text = shell.read_file(&file)?;
+        shell.write_file(
+            &file,
+            text.replace(IMPORTS, &format!("{IMPORTS} {LOAD}")) + addition,
+        )?;
+    }
+    for (name, part) in ["first.wasm", "second.wasm"]
+        .iter()
+        .zip(parts::divided(&whole, &called)?)
+    {
+        shell.write_file(engine.join(name), part)?;
+    }
+    Ok(())
 }
 
 /// Compiles the wasm side. wasm-opt is not run: older versions of it make modules that trap, and rustc optimises well.

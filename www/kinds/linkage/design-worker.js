@@ -1,6 +1,7 @@
 // Worker that searches for a dwell and reports each mechanism. After an improvement, it waits for the page to show it.
 import { problemsOf } from "assur/core/problem.js";
-import load, { Design } from "assur/pkg/assur_web.js";
+import { start } from "assur/core/parts.js";
+import { Design } from "assur/pkg/assur_web.js";
 
 /** Ends the wait after an improvement. */
 let goOn = () => {};
@@ -10,10 +11,10 @@ addEventListener("message", ({ data }) => {
   else goOn();
 });
 
-/** @param {{ wasm: WebAssembly.Module, state: import("assur/types/web.js").State, wishes: import("assur/types/web.js").Wishes }} task the compiled engine, and the arguments of its `Design` */
+/** @param {{ wasm: import("assur/core/parts.js").Parts, state: import("assur/types/web.js").State, wishes: import("assur/types/web.js").Wishes }} task the compiled engine, and the arguments of its `Design` */
 async function search({ wasm, state, wishes }) {
   try {
-    await load({ module_or_path: wasm });
+    await start(wasm.first, () => wasm.second);
     const design = new Design(state, wishes);
     let progress;
     do {

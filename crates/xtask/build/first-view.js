@@ -1,0 +1,30 @@
+// Prints the numbers of the engine's functions that a first view uses, as a list in JSON. It makes the calls of a first view in a module
+// that marks each function when it is called.
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [engine, marked] = process.argv.slice(2);
+const { Simulator, catalogue, defaultView, initSync, roleNames } = await import(pathToFileURL(path.join(engine, "assur_web.js")).href);
+const marks = initSync({ module: readFileSync(marked) });
+
+/** A context that draws nothing, on which all texts have the same width. */
+const context = new Proxy({}, { get: () => () => ({ width: 1 }), set: () => true });
+
+const [{ kind, document }] = catalogue();
+const simulator = new Simulator();
+// The view of the page names what it lacks.
+const { home } = simulator.set({ format: 2, kind, document, view: { ...defaultView(), against: null, lesson: null } });
+simulator.readoutNames();
+simulator.labelNames();
+simulator.lengths();
+simulator.choosesLengths();
+simulator.scene();
+simulator.advance(home, 0.1);
+simulator.at(home);
+const palette = roleNames().map(() => [0, 0, 0]);
+simulator.chart(context, { width: 400, height: 400, palette, scale: 1, ratio: 1, whole: false, only: "all", around: home });
+
+const PREFIX = "called.";
+const called = Object.keys(marks).filter((name) => name.startsWith(PREFIX) && marks[name].value === 1);
+console.log(JSON.stringify(called.map((name) => Number(name.slice(PREFIX.length)))));
