@@ -28,7 +28,7 @@ const MAX_NAME = 80;
 const MAX_ANSWER = 60;
 
 /**
- * Opens the document of a step with a reader's numbers.
+ * Opens a step's document with numbers set by `name`.
  * @param {Written} lesson
  * @param {number} index
  * @param {string} name

@@ -158,7 +158,7 @@ function measure(name, words) {
 
 /**
  * @param {readonly Transmission[]} transmissions
- * @returns {string} key of the options that the transmissions add to the list of plots
+ * @returns {string} names of the plots that the transmissions add to the list, joined for comparison
  */
 function joints(transmissions) {
   return transmissions.map(({ what, joint }) => `${joint}.${what}`).join();

@@ -93,7 +93,7 @@ pub struct Tag {
 /// Numbers of mixing blades on the wheel on the rocker's shaft, and on each wheel around it.
 const BLADES: [usize; 2] = [3, 4];
 
-/// Angle from the centre line of two wheels in mesh to the direction in which the wheel's number is written, radians.
+/// Angle from the centre line of a wheel and its mate to the direction of the wheel's number, radians.
 const BESIDE_LINE: f64 = 1.9;
 
 /// Colours of wheel 4, and of wheels 5, 6, … around it.

@@ -188,7 +188,7 @@ pub(crate) trait Edited {
         Err(unknown("tracer"))
     }
 
-    /// Sets a dimension, named by its field, to a value, from the pose at an input.
+    /// Sets the number in a field to a value, starting from the pose at an input.
     fn set(&self, field: &str, _value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         Err(vec![unknown(field)])
     }

@@ -34,7 +34,7 @@ impl Handle {
     }
 }
 
-/// The colour role of a link with this point; "ink" for points of the frame.
+/// Colour role of the first moving link that lists the point, else "ink".
 fn role(mechanism: &Mechanism, figure: &Figure, point: PointId) -> &'static str {
     let mut links = mechanism.link_ids();
     let link = links.find(|link| mechanism.points_of(*link).contains(&point));

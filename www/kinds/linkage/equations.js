@@ -136,7 +136,7 @@ function together(...names) {
 }
 
 /**
- * Writes an equation or its derivative in the notation of papers.
+ * Writes out an equation or, for orders 1 and 2, its derivative.
  * @param {Equation} equation
  * @param {number} order
  * @param {Words} words

@@ -82,7 +82,7 @@ impl Redrawn {
     }
 }
 
-/// Summary of a linkage beyond its motion.
+/// Summary of a linkage and of its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LinkageSummary<'a> {

@@ -25,7 +25,7 @@ pub(crate) struct Mixer {
     moving: Moving,
 }
 
-/// Summary of a mixer beyond its motion.
+/// Summary of a mixer and of its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MixerSummary<'a> {

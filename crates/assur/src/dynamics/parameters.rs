@@ -94,7 +94,7 @@ pub enum Drive {
 pub struct Load {
     /// Constant torque, as from a weight on a rope, N·m. If positive, it acts in the negative sense of rotation.
     pub constant: f64,
-    /// Friction torque against the motion at any speed, as from a brush or a scraper, N·m.
+    /// Coulomb friction torque, as from a brush or a scraper, N·m; smoothed near rest by `creep`.
     pub friction: f64,
     /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep) at the speed ω of the body, so a body held by
     /// friction creeps. Used only with friction.

@@ -24,9 +24,9 @@ pub enum Dimension {
     /// Distance between the first two points of a link; for a link with two points, its length. If it is set, other
     /// points keep their positions on the link.
     Length(LinkId),
-    /// Distance from the first (0) or second (1) point of a link to a later point, given by its index from 2. If the
-    /// distance is set, the first two points stay. The later point keeps its angle at the first point (0), or its
-    /// distance from the first point (1).
+    /// Distance from the first (0) or second (1) point of a link to a later point, given by its index from 2. If it is
+    /// set, the first two points stay. If (0), the later point keeps its angle at the first point; if (1), its distance
+    /// from the first point.
     Side(LinkId, [usize; 2]),
     /// Angle at the first point of a link, from the second point to a later point, given by its index from 2; radians
     /// in (−π, π]. If it is set, the adjacent sides keep their lengths.

@@ -286,8 +286,8 @@ impl Eliminated {
             .extend(columns.map(|column| Free { column, before }));
     }
 
-    /// Basis of the null space: in each vector one free unknown is 1, and the other free unknowns are 0. The vectors of
-    /// a kept block come last.
+    /// Basis of the null space: in each vector one free unknown is 1, and the other free unknowns are 0. The vectors
+    /// for the block kept by [`System::eliminated`], if any, come last.
     pub(super) fn solutions(&self) -> impl DoubleEndedIterator<Item = Vec<f64>> + '_ {
         self.free.iter().map(|free| {
             let mut values = vec![0.0; self.columns];

@@ -100,8 +100,8 @@ impl<const N: usize> Sheet<'_, N> {
         }
     }
 
-    /// Stages of the polygon for a step of the plan: one for each equation, then one for the images of the bodies.
-    /// Points already known are left out of the images.
+    /// Stages of the polygon for a step of the plan: one for each target point, then one for the images of the
+    /// bodies. Points already known are left out of the images.
     fn step(&self, step: StepId) -> Vec<Stage> {
         let placing = &self.mechanism.steps()[step];
         let bodies = placing.bodies();

@@ -192,7 +192,7 @@ impl Group {
 
 /// Divides links into bodies. The pairs and drivers between the links of a body leave them no relative motion.
 fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
-    // Two links without relative motion have at least three constraints between them.
+    // Two links can only be locked by at least three constraints among all the links.
     if constraints_between(graph, drivers, links) < BODY {
         return links.iter().map(|link| vec![*link]).collect();
     }

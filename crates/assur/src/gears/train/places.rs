@@ -81,8 +81,8 @@ impl Layout {
         }
     }
 
-    /// Positions of all satellites, their teeth in the gaps of the sun; none for bevel wheels. The shafts have turned
-    /// through these angles since the first satellite was to the right of the central axis.
+    /// Positions of all satellites, their teeth in the gaps of the sun; none for bevel wheels. `angles` are
+    /// the rotations of the shafts since the first satellite was to the right of the central axis.
     pub fn places(&self, coupling: Coupling, angles: &Shafts) -> Option<Vec<Place>> {
         if self.train().kind() == Kind::Bevel {
             return None;

@@ -2,7 +2,7 @@
 
 use super::{Coupling, Kind, Layout, Member, Shafts, Train};
 
-/// Angular velocity of a satellite or, in a planar train, its angle of rotation.
+/// Angular velocity of a satellite or (only in a planar train) its angle of rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spin {
     /// Angular velocity relative to the carrier, about the satellite's own axis.

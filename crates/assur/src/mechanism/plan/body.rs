@@ -40,7 +40,7 @@ pub(in crate::mechanism) struct Placement {
     pub(in crate::mechanism) angle_offset: f64,
 }
 
-/// Bodies without slides and gear couplings, and the placements of the links.
+/// Bodies before slides and gears are added, and placements of the links.
 pub(in crate::mechanism) struct RigidBodies {
     pub(in crate::mechanism) bodies: Bodies,
     placements: List<LinkId, Placement>,

@@ -28,8 +28,8 @@ pub(super) fn ordered_roots(
     });
     let mut ordered: Vec<Sample> = cells.flatten().collect();
     sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
-    // Near a root rounding may change the sign several times; one change is kept. Near input 0 this does not happen,
-    // because doubles are densest there.
+    // Near a root, rounding may give several changes of sign; one is kept. The tolerance vanishes at input 0, but doubles
+    // are densest there.
     ordered
         .dedup_by(|later, one| later.input - one.input <= tolerance::CONVERGED * later.input.abs());
     let [start, end] = cycle.axis();

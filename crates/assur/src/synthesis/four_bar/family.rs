@@ -319,10 +319,10 @@ impl Family {
         }
     }
 
-    /// All members at which the Grashof type or the assembly of a position changes, in order of the parameter. If the
-    /// task has only these two positions, Grashof type and [`Passage`](super::Passage) change nowhere else. Each
-    /// condition is a straight line in the plane of 1/z₂ and 1/z₃. For z₁ = |1 ± z₂ ± z₃| this holds after z₁² is
-    /// eliminated by the equation of the first position; the condition that C is on the line BD contains only z₃.
+    /// All members at which the Grashof type, or the assembly at a position of the task, changes, in order of the
+    /// parameter. If the task has only the family's two positions, Grashof type and [`Passage`](super::Passage) change
+    /// nowhere else. Each change is on a straight line in the plane of 1/z₂ and 1/z₃: z₁ = |1 ± z₂ ± z₃| becomes one
+    /// when z₁² is eliminated by the equation of the family's first position; C on the line BD fixes z₃.
     pub fn changes(&self) -> Vec<Change> {
         let [first, _] = self.directions();
         let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {

@@ -83,7 +83,7 @@ fn square(gap: [Complex<f64>; 3]) -> [f64; 5] {
 }
 
 fn value([p, q, r]: [Complex<f64>; 3], x: f64) -> Complex<f64> {
-    // The coefficient p is zero wherever x may be zero: in a family of sizes, and in a family of constant z₃.
+    // If p is zero, an x that has underflowed to zero must not give NaN.
     q + r * x + if p.norm_sqr() == 0.0 { p } else { p / x }
 }
 

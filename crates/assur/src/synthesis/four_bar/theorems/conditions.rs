@@ -135,8 +135,8 @@ fn of_cases(angles: &Angles) -> [Condition; 6] {
             Unknown::Output => (output, input),
             _ => (input, output),
         };
-        // The vector product of the loop equation with the unit vector of the other link is a z₁ + b z = c, so P = c/b
-        // and Q = −a/b.
+        // The vector product of the loop equation with the unit vector of `other` is a z₁ + b z = c for the length z of
+        // `about`, so z = P + Q z₁ with P = c/b and Q = −a/b.
         let [a, b, c] = [coupler, of, frame].map(|turn| sine(other - turn));
         let not_negative = c == 0.0 || b * c > 0.0;
         let (mut values, holds) = if a == 0.0 {
