@@ -97,7 +97,7 @@ async fn the_rest_of_the_engine_may_come_later_or_not_at_all() {
     page.before(LOSE).await;
     page.anew(home()).await;
     let title = page.ask("return document.title").await;
-    for lost in ["gone", "damaged"] {
+    for (lost, degrees, angle) in [("gone", "75", 75.0), ("damaged", "100", 100.0)] {
         page.ask(&format!("lost = '{lost}'; location.hash = '#class4-dwell'"))
             .await;
         page.until("the reason", async || {
@@ -106,11 +106,8 @@ async fn the_rest_of_the_engine_may_come_later_or_not_at_all() {
         })
         .await;
         assert_eq!(page.ask("return document.title").await, title);
-        let before = page.value("out-input").await;
-        page.until("the mixer to turn", async || {
-            page.value("out-input").await != before
-        })
-        .await;
+        page.stop_at(degrees).await;
+        assert!((page.value("out-input").await - angle).abs() < 1e-6);
         page.ask("document.getElementById('notice-close').click(); location.hash = ''")
             .await;
     }
