@@ -8,7 +8,7 @@ use crate::position::{Arm, BodyPoint, Mounting, Nearby, Sign, State, Step, StepC
 use crate::{Jet, Vector};
 
 /// A point of a body: 0 is the frame, 1 the crank, 2 and 3 are the links i and j.
-fn at(body: usize, x: f64, y: f64) -> BodyPoint {
+pub(in crate::position) fn at(body: usize, x: f64, y: f64) -> BodyPoint {
     let local = Vector::new(x, y);
     BodyPoint {
         body: BodyId::at(body),
@@ -36,7 +36,7 @@ fn side(body: usize, outer: BodyPoint) -> Side {
 }
 
 /// The origin of a body on a line.
-fn track(body: usize, line: BodyPoint) -> Track {
+pub(in crate::position) fn track(body: usize, line: BodyPoint) -> Track {
     Track {
         body: BodyId::at(body),
         line,
@@ -49,7 +49,7 @@ fn track(body: usize, line: BodyPoint) -> Track {
 }
 
 /// A point of a dyad with its first two derivatives by the crank angle, at a right angle.
-fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
+pub(in crate::position) fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
     let mut state: State<3> = State::new(4, 1, 0, 10.0);
     let input = Jet::linear(FRAC_PI_2, 1.0);
     state.pin(BodyId::at(1), input, at(0, 0.0, 0.0), Vector::zeros());
