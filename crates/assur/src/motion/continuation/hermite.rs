@@ -58,4 +58,30 @@ mod tests {
             }
         }
     }
+
+    /// Halfway, each end has half of the weight of the values. A slope that is 1 at both ends adds nothing by symmetry; 1 at
+    /// the start and −1 at the end add 2·11/64 of the width 2 by the weight 1/16·(1/2)·11/2 of each.
+    #[test]
+    fn halfway_both_ends_count_alike() {
+        for (start, end, expected) in [
+            ([0.0, 0.0], [1.0, 0.0], 0.5),
+            ([1.0, 1.0], [1.0, 1.0], 1.0),
+            ([0.0, 1.0], [0.0, -1.0], 2.0 * 2.0 * 11.0 / 64.0),
+        ] {
+            let taylor = |[value, slope]: [f64; 2]| [[value, slope, 0.0, 0.0]];
+            let [start, end] = [start, end].map(taylor);
+            let found: f64 = interpolated([(3.0, &start), (5.0, &end)], 4.0).sum();
+            assert!((found - expected).abs() < 1e-15, "{found}");
+        }
+    }
+
+    /// At the ends, and beyond them, the values of the ends.
+    #[test]
+    fn beyond_an_end_its_value_stays() {
+        let [start, end]: [[Taylor; 1]; 2] = [[[2.0, 5.0, 7.0, 1.0]], [[3.0, -4.0, 1.0, 9.0]]];
+        for (input, expected) in [(0.0, 2.0), (-1.0, 2.0), (1.0, 3.0), (8.0, 3.0)] {
+            let found: f64 = interpolated([(0.0, &start), (1.0, &end)], input).sum();
+            assert_eq!(found, expected, "{input}");
+        }
+    }
 }
