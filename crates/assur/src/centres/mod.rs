@@ -168,8 +168,8 @@ mod tests {
         }
     }
 
-    /// Crank from (0, 0) to (1, 1), rocker from (6, 0) to (4, 2). Their lines y = x and y = 6 − x meet in (3, 3), and the
-    /// coupler's line y = (x + 2)/3 meets the frame in (−2, 0): the rocker turns at 2/8 of the speed of the crank.
+    /// Crank from (0, 0) to (1, 1), rocker from (6, 0) to (4, 2). Their lines y = x and y = 6 − x meet in (3, 3), and
+    /// the coupler's line y = (x + 2)/3 meets the frame in (−2, 0): the rocker turns at 2/8 of the speed of the crank.
     #[test]
     fn the_six_centres_of_a_four_bar() {
         let four_bar = LinkageSpec::default()
@@ -199,8 +199,9 @@ mod tests {
         assert!((rate - 0.25).abs() < 1e-14, "{rate}");
     }
 
-    /// A slider-crank with the crank 3 at a right angle to the slide, and a rod from (0, 3) to (4, 0). The rod translates
-    /// for an instant. Crank and slider have the same velocity at B, where the rod meets the normal to the slide through A.
+    /// A slider-crank with the crank 3 at a right angle to the slide, and a rod from (0, 3) to (4, 0). The rod
+    /// translates for an instant. Crank and slider have the same velocity at B, where the rod meets the normal to the
+    /// slide through A.
     #[test]
     fn a_crank_at_a_right_angle_to_the_slide_moves_the_rod_without_turning_it() {
         let slider_crank = LinkageSpec::default()
@@ -224,8 +225,9 @@ mod tests {
         );
     }
 
-    /// A slotted lever about (0, 0) with its block at the end (3, 4) of a crank about (3, 0). The centre of crank and lever
-    /// is on the frame's line, where the normal to the slot at (3, 4) meets it: 3 + 16/3 from the pivot of the lever.
+    /// A slotted lever about (0, 0) with its block at the end (3, 4) of a crank about (3, 0). The centre of crank and
+    /// lever is on the frame's line, where the normal to the slot at (3, 4) meets it: 3 + 16/3 from the pivot of the
+    /// lever.
     #[test]
     fn crank_and_slotted_lever_meet_on_the_normal_of_the_slot() {
         let lever = LinkageSpec::default()

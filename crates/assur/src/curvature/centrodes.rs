@@ -81,7 +81,8 @@ mod tests {
         Motion::new(Mechanism::new(&spec).unwrap())
     }
 
-    /// The crossed cranks meet in the pole P, and by symmetry PA + PD = PB + PC = 2: two equal ellipses roll on each other.
+    /// The crossed cranks meet in the pole P, and by symmetry PA + PD = PB + PC = 2: two equal ellipses roll on each
+    /// other.
     #[test]
     fn centrodes_of_an_antiparallelogram_are_ellipses_with_the_hinges_as_foci() {
         let motion = antiparallelogram();

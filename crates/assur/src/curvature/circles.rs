@@ -97,8 +97,9 @@ mod tests {
     use crate::linkage::LinkageSpec;
     use crate::motion::Motion;
 
-    /// A wheel of radius 1 that rolls on the x-axis: the pole is the point of contact, the inflection pole the centre of
-    /// the wheel. A point of the rim draws a cycloid, whose radius of curvature is twice the distance from the contact.
+    /// A wheel of radius 1 that rolls on the x-axis: the pole is the point of contact, the inflection pole the centre
+    /// of the wheel. A point of the rim draws a cycloid, whose radius of curvature is twice the distance from the
+    /// contact.
     #[test]
     fn a_cycloid_bends_about_twice_the_distance_from_the_contact() {
         let rolling = Circles {
@@ -119,8 +120,8 @@ mod tests {
         assert_eq!(rolling.inflection(), (Point::new(0.0, 0.5), 0.5));
     }
 
-    /// A slider-crank with crank 3 and rod 5, stretched out. The pole of the rod is the slider at (8, 0), and θ′ = −3/5.
-    /// The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along it. The paths of all points of the
+    /// A slider-crank with crank 3 and rod 5, stretched out. The pole of the rod is the slider at (8, 0), and θ′ =
+    /// −3/5. The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along it. The paths of all points of the
     /// inflection circle are straight to the third order.
     #[test]
     fn circles_of_a_stretched_slider_crank() {

@@ -239,9 +239,9 @@ mod tests {
         assert!((cycle.wrap(-20.0) - (-20.0 + 4.0 * TAU)).abs() < 1e-14);
     }
 
-    /// Crank and frame 4, coupler and rocker 1 and 2: the diagonal BD lies between 1 and 3, and is opposite to φ₁ in the
-    /// triangle with two sides of 4: cos φ₁ = (32 − BD²)/32. With 2 and 2 it lies between 0 and 4, which is
-    /// a side of an equilateral triangle.
+    /// Crank and frame 4, coupler and rocker 1 and 2: the diagonal BD lies between 1 and 3, and is opposite to φ₁ in
+    /// the triangle with two sides of 4: cos φ₁ = (32 − BD²)/32. With 2 and 2 it lies between 0 and 4, which is a side
+    /// of an equilateral triangle.
     #[test]
     fn ends_of_the_arcs_follow_from_the_law_of_cosines() {
         let [near, far] = [31.0_f64 / 32.0, 23.0 / 32.0].map(f64::acos);

@@ -83,7 +83,8 @@ mod tests {
         }
     }
 
-    /// s + l = p + q: rhombus 2 = 2, parallelogram and antiparallelogram 4 = 4, deltoid 3 = 3 with either order of its sides.
+    /// s + l = p + q: rhombus 2 = 2, parallelogram and antiparallelogram 4 = 4, deltoid 3 = 3 with either order of its
+    /// sides.
     #[test]
     fn equal_opposite_or_neighbouring_links_have_change_points() {
         for lengths in [

@@ -127,8 +127,8 @@ mod tests {
         }
     }
 
-    /// If l₁² + l₄² = l₂² + l₃², here 1 + 64 = 16 + 49, the limit positions of C and A are in line (centric crank-rocker):
-    /// the crank turns 180° between them, and the chord of the swing is 2 l₁.
+    /// If l₁² + l₄² = l₂² + l₃², here 1 + 64 = 16 + 49, the limit positions of C and A are in line (centric
+    /// crank-rocker): the crank turns 180° between them, and the chord of the swing is 2 l₁.
     #[test]
     fn a_centric_crank_rocker_has_no_quick_return() {
         let linkage = FourBar::new([1.0, 4.0, 7.0, 8.0]).unwrap();

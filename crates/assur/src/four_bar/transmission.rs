@@ -76,7 +76,8 @@ mod tests {
         assert!((linkage.worst_transmission().0.cos() - 2.0 / 7.0).abs() < 1e-15);
     }
 
-    /// Crank and frame 4, coupler and rocker 2: dead at 60°, where coupler and rocker are stretched over a diagonal of 4.
+    /// Crank and frame 4, coupler and rocker 2: dead at 60°, where coupler and rocker are stretched over a diagonal of
+    /// 4.
     #[test]
     fn the_angle_is_zero_at_a_dead_point_and_none_beyond() {
         let linkage = FourBar::new([4.0, 2.0, 2.0, 4.0]).unwrap();

@@ -189,8 +189,8 @@ mod tests {
         }
     }
 
-    /// A hinge at (3, 0, 0) about z: at unit speed the point of the body at the origin moves at −3 along y. A screw with the
-    /// pitch 2π also moves at 1 along z.
+    /// A hinge at (3, 0, 0) about z: at unit speed the point of the body at the origin moves at −3 along y. A screw
+    /// with the pitch 2π also moves at 1 along z.
     #[test]
     fn a_twist_has_the_velocity_of_the_point_at_the_origin() {
         let place = Vector3::new(3.0, 0.0, 0.0);

@@ -214,7 +214,8 @@ mod tests {
         }
     }
 
-    /// The vector (3, 4) of length 5, growing at 10 along itself and moving at 5 across: its direction (0.6, 0.8) turns at 1.
+    /// The vector (3, 4) of length 5, growing at 10 along itself and moving at 5 across: its direction (0.6, 0.8) turns
+    /// at 1.
     #[test]
     fn only_the_velocity_across_turns_a_direction() {
         let mut v = Complex::<2>::constant(Vector::new(3.0, 4.0));
@@ -229,7 +230,8 @@ mod tests {
         assert_eq!(v.left()[0], Vector::new(-4.0, 3.0));
     }
 
-    /// A vector of length 5 at (3, 4) whose abscissa is that of uniform rotation, 3 cos t − 4 sin t, has its ordinate too.
+    /// A vector of length 5 at (3, 4) whose abscissa is that of uniform rotation, 3 cos t − 4 sin t, has its ordinate
+    /// too.
     #[test]
     fn a_vector_of_constant_length_follows_from_its_projection() {
         let abscissa = Jet::<4>::of_derivatives([3.0, -4.0, -3.0, 4.0]);

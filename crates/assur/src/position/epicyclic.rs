@@ -85,8 +85,8 @@ mod tests {
     use crate::position::dyads::tests::{at, place};
     use crate::position::{Sign, Step};
 
-    /// A wheel on the end (0, 2) of the crank at 90°, with the crank as its carrier; a point 1 from its centre. `ratio` is
-    /// the speed of the wheel relative to that of the crank.
+    /// A wheel on the end (0, 2) of the crank at 90°, with the crank as its carrier; a point 1 from its centre. `ratio`
+    /// is the speed of the wheel relative to that of the crank.
     fn on_wheel(ratio: f64) -> [[f64; 2]; 3] {
         let member = Member {
             body: BodyId::at(2),

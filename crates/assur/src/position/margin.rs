@@ -80,8 +80,8 @@ mod tests {
         ));
     }
 
-    /// The x-axis and the line from (4, 4) in the direction (3, 4)/5 meet in (1, 0); the sine between them is 4/5. If the
-    /// second line moves along x at 2, so does the point; if it moves along y at 4, the point moves at −3 along x.
+    /// The x-axis and the line from (4, 4) in the direction (3, 4)/5 meet in (1, 0); the sine between them is 4/5. If
+    /// the second line moves along x at 2, so does the point; if it moves along y at 4, the point moves at −3 along x.
     #[test]
     fn two_lines_meet_and_their_crossing_moves_with_them() {
         let axis = (

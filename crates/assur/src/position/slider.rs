@@ -81,8 +81,8 @@ mod tests {
         assert!(both.all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
     }
 
-    /// Archimedes' spiral: on a line that turns with the crank, at the distance φ from the pivot. At 90°: the acceleration
-    /// is −φ along the line and Coriolis's 2·1·1 across it.
+    /// Archimedes' spiral: on a line that turns with the crank, at the distance φ from the pivot. At 90°: the
+    /// acceleration is −φ along the line and Coriolis's 2·1·1 across it.
     #[test]
     fn a_slide_on_a_turning_line_has_coriolis_acceleration() {
         let quarter = std::f64::consts::FRAC_PI_2;

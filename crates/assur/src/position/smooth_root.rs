@@ -171,7 +171,8 @@ mod tests {
         }
     }
 
-    /// The root of (x − 2)² is x − 2 or, with the other sign, 2 − x. It is used up to half of the distance of the nodes.
+    /// The root of (x − 2)² is x − 2 or, with the other sign, 2 − x. It is used up to half of the distance of the
+    /// nodes.
     #[test]
     fn the_root_keeps_its_sign_after_the_change_point() {
         let square = |x: f64| Jet::linear(x - 2.0, 1.0).square();

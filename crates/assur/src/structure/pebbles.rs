@@ -268,7 +268,7 @@ mod tests {
         }
     }
 
-    /// Links of a triangle are locked; those of a four-bar move. On any link three pebbles can be gathered, on two more.
+    /// Links of a triangle are locked; those of a four-bar move. Three pebbles can be gathered on any link.
     #[test]
     fn a_triangle_is_locked_and_a_four_bar_is_not() {
         let (mut triangle, _) = counted(3, &[&[0, 1], &[1, 2], &[2, 0]]);
@@ -281,8 +281,8 @@ mod tests {
         assert!(four_bar.moves(2, 0));
     }
 
-    /// A square of bars 0 to 3 with both diagonals 4 and 5, three links at each corner: 18 − 16 freedoms, one less than the
-    /// three of a rigid body.
+    /// A square of bars 0 to 3 with both diagonals 4 and 5, three links at each corner: 18 − 16 freedoms, one less than
+    /// the three of a rigid body.
     #[test]
     fn a_square_with_two_diagonals_has_one_surplus_constraint() {
         let square: [&[usize]; 4] = [&[0, 1, 4], &[1, 2, 5], &[2, 3, 4], &[3, 0, 5]];

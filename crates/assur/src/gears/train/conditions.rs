@@ -202,7 +202,8 @@ mod tests {
         }
     }
 
-    /// Satellites of 20 teeth, 22 over the tips, on an axis distance of 20: sin(180°/k) > 22/40. For k = 6 the sine is ½.
+    /// Satellites of 20 teeth, 22 over the tips, on an axis distance of 20: sin(180°/k) > 22/40. For k = 6 the sine is
+    /// ½.
     #[test]
     fn five_satellites_have_room_and_six_have_not() {
         for (k, expected) in [(2.0, true), (5.0, true), (6.0, false)] {

@@ -21,11 +21,9 @@ pub struct Layout {
 impl Layout {
     /// Makes a layout from numbers entered by a person: the number of satellites, the module m, and the axis distance
     /// a_w. A wheel with z teeth has the diameter d = m z. The distance a_w, from the central axis to a satellite's
-    /// axis, is used for magnets only; without it the gaps at sun and ring are equal.
-    ///
-    /// # Errors
-    /// Every reason at once: a number of satellites outside 1 to [`GearSet::MAX_WHEELS`](crate::gears::GearSet::MAX_WHEELS);
-    /// lengths that are not positive or not in range.
+    /// axis, is used for magnets only; without it the gaps at sun and ring are equal.  # Errors Every reason at once: a
+    /// number of satellites outside 1 to [`GearSet::MAX_WHEELS`](crate::gears::GearSet::MAX_WHEELS); lengths that are
+    /// not positive or not in range.
     pub fn new(
         train: Train,
         satellites: f64,
@@ -178,8 +176,8 @@ mod tests {
         Layout::new(Train::planar(teeth).unwrap(), 3.0, module, axis_distance).unwrap()
     }
 
-    /// Module 2, teeth 20, 20, 66: pitch radii 20, 20 and 66. Gears in contact have the axis distance 40. There is room for
-    /// 66 − 60 = 6 between the circles, 3 at the sun and 3 at the ring.
+    /// Module 2, teeth 20, 20, 66: pitch radii 20, 20 and 66. Gears in contact have the axis distance 40. There is room
+    /// for 66 − 60 = 6 between the circles, 3 at the sun and 3 at the ring.
     #[test]
     fn axis_distance_and_gaps_follow_from_the_pitch_radii() {
         let equal = layout([20.0, 20.0, 66.0], 2.0, None);
@@ -202,8 +200,8 @@ mod tests {
         assert_eq!(contact.half_width(Coupling::Magnetic), 0.5);
     }
 
-    /// Equal bevel wheels of 20 teeth with axes at right angles have pitch cones of 45°, and pitch radii of 10: the centre
-    /// of a satellite is 10 from the axis.
+    /// Equal bevel wheels of 20 teeth with axes at right angles have pitch cones of 45°, and pitch radii of 10: the
+    /// centre of a satellite is 10 from the axis.
     #[test]
     fn the_satellite_of_bevel_wheels_is_at_the_mean_of_the_pitch_radii() {
         let bevel = Layout::new(Train::bevel([20.0; 3]).unwrap(), 2.0, 1.0, None).unwrap();

@@ -151,8 +151,8 @@ mod tests {
         }
     }
 
-    /// The sun has a tooth at 0°, so the satellite has a gap at 180°: half a pitch of 18° from its tooth at 171°. At 0° it
-    /// has a gap again, 9.5 pitches from this tooth, so the ring has a tooth there, or whole pitches of 6° farther.
+    /// The sun has a tooth at 0°, so the satellite has a gap at 180°: half a pitch of 18° from its tooth at 171°. At 0°
+    /// it has a gap again, 9.5 pitches from this tooth, so the ring has a tooth there, or whole pitches of 6° farther.
     #[test]
     fn a_tooth_of_the_sun_meets_a_gap_of_the_first_satellite() {
         let mounting = layout(4.0).mounting(1);

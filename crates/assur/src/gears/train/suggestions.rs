@@ -89,8 +89,8 @@ fn changes(kind: Kind, total: i32) -> Vec<[i32; 4]> {
 mod tests {
     use super::*;
 
-    /// Changes of three numbers of teeth by n in all: points of an octahedron, 1, 6 and 4n² + 2 = 18. With a fourth number 8
-    /// and 32.
+    /// Changes of three numbers of teeth by n in all: points of an octahedron, 1, 6 and 4n² + 2 = 18. With a fourth
+    /// number 8 and 32.
     #[test]
     fn changes_are_the_points_of_an_octahedron() {
         for (kind, total, count) in [
@@ -114,7 +114,8 @@ mod tests {
         }
     }
 
-    /// Of the trains next to 20, 21 and 60 teeth only 20, 20 and 60 is coaxial, 60 = 20 + 2·20; it takes four satellites.
+    /// Of the trains next to 20, 21 and 60 teeth only 20, 20 and 60 is coaxial, 60 = 20 + 2·20; it takes four
+    /// satellites.
     #[test]
     fn the_nearest_train_has_one_tooth_less() {
         let train = Train::planar([20.0, 21.0, 60.0]).unwrap();
@@ -128,7 +129,8 @@ mod tests {
         assert!(layout.suggestions(Coupling::Contact, 0).is_empty());
     }
 
-    /// Five satellites fit 80 teeth, with a chord of 20 sin 36° between them; six, with sin 30° = 1/2, need smaller ones.
+    /// Five satellites fit 80 teeth, with a chord of 20 sin 36° between them; six, with sin 30° = 1/2, need smaller
+    /// ones.
     #[test]
     fn six_satellites_need_other_wheels() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();

@@ -99,8 +99,8 @@ impl Layout {
 mod tests {
     use super::*;
 
-    /// Teeth 20, 20 and 60, module 1: radii 10 and 30, axis distance 20. Sun at 10 and ring at 2 give the carrier 4 and the
-    /// satellite −2: velocities 10·10, 20·4 and 30·2, and 0 at 20 + 40 from the axis.
+    /// Teeth 20, 20 and 60, module 1: radii 10 and 30, axis distance 20. Sun at 10 and ring at 2 give the carrier 4 and
+    /// the satellite −2: velocities 10·10, 20·4 and 30·2, and 0 at 20 + 40 from the axis.
     #[test]
     fn the_velocity_triangle_of_a_satellite() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
@@ -121,7 +121,8 @@ mod tests {
         assert_eq!(found.instantaneous_centre, Some(60.0));
     }
 
-    /// With the ring held, the satellite turns about its point of contact with the ring; with the sun held, with the sun.
+    /// With the ring held, the satellite turns about its point of contact with the ring; with the sun held, with the
+    /// sun.
     #[test]
     fn a_satellite_rolls_on_a_wheel_that_is_held() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();

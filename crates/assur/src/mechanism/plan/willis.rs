@@ -152,8 +152,8 @@ mod tests {
         )
     }
 
-    /// Sun 20, satellite 20 and a held ring of 60: 20θ₁ + 20θ₂ − 40θ₃ and 20θ₂ + 40θ₃ are constant, so the carrier turns at
-    /// 1/4 and the satellite at −1/2 of the speed of the sun.
+    /// Sun 20, satellite 20 and a held ring of 60: 20θ₁ + 20θ₂ − 40θ₃ and 20θ₂ + 40θ₃ are constant, so the carrier
+    /// turns at 1/4 and the satellite at −1/2 of the speed of the sun.
     #[test]
     fn carrier_and_satellite_in_a_held_ring() {
         let mut solved = Solved::default();
@@ -167,7 +167,8 @@ mod tests {
         assert_eq!(ratios, expected);
     }
 
-    /// A multiple of an equation, or the sum of two, follows from them; an equation of other bodies does not concern them.
+    /// A multiple of an equation, or the sum of two, follows from them; an equation of other bodies does not concern
+    /// them.
     #[test]
     fn an_equation_that_follows_adds_nothing() {
         let mut solved = Solved::default();

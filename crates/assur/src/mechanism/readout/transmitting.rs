@@ -157,7 +157,8 @@ mod tests {
         }
     }
 
-    /// From 0 to 90° the acute angle grows with the directed angle, from 90° to 180° it falls. At the folds the rate decides.
+    /// From 0 to 90° the acute angle grows with the directed angle, from 90° to 180° it falls. At the folds the rate
+    /// decides.
     #[test]
     fn the_acute_angle_is_folded_at_right_angles_and_in_line() {
         for (directed, rate, expected) in [

@@ -59,8 +59,8 @@ mod tests {
         }
     }
 
-    /// Halfway, each end has half of the weight of the values. A slope that is 1 at both ends adds nothing by symmetry; 1 at
-    /// the start and −1 at the end add 2·11/64 of the width 2 by the weight 1/16·(1/2)·11/2 of each.
+    /// Halfway, the weights of the values are 1/2, and those of the slopes ±(w/2)(1/16)(11/2) = ±11w/64 with the width
+    /// w of 2: equal slopes cancel, opposite ones add up.
     #[test]
     fn halfway_both_ends_count_alike() {
         for (start, end, expected) in [

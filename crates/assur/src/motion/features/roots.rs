@@ -132,7 +132,12 @@ mod tests {
             (0, [1.0, 1.0 + PI]),
             (1, [1.0 + FRAC_PI_2, 1.0 + 3.0 * FRAC_PI_2]),
         ] {
-            let found = ordered_roots(&Cycle::turning(1), &[samples.clone()], &sine, order);
+            let found = ordered_roots(
+                &Cycle::turning(1),
+                std::slice::from_ref(&samples),
+                &sine,
+                order,
+            );
             assert_eq!(found.len(), 2, "{order}");
             for (root, expected) in found.iter().zip(expected) {
                 assert!(

@@ -117,8 +117,8 @@ mod tests {
         assert!(task.closing_inputs(0, 2.0, 3.0).is_empty());
     }
 
-    /// Output 3 at 90° leaves p = (1, −3). An input along the frame, z₃, closes for (1 − z₃)² + 9 = z₁²: with z₁² = 9.25 for
-    /// 1/2 and 3/2, with z₁ = 3 for 1 only, and with z₁ = 5 for 5 (and −3).
+    /// Output 3 at 90° leaves p = (1, −3). An input along the frame, z₃, closes for (1 − z₃)² + 9 = z₁²: with z₁² =
+    /// 9.25 for 1/2 and 3/2, with z₁ = 3 for 1 only, and with z₁ = 5 for 5 (and −3).
     #[test]
     fn inputs_that_close_are_the_positive_roots_of_a_quadratic() {
         let frame = Frame {

@@ -129,8 +129,8 @@ mod tests {
         (task, solution)
     }
 
-    /// The frame from (0, 0) to (1, 0), B at (−3, 0) and C at (1, −3). With twice the lengths and turned through 90°, C is at
-    /// (6, 2).
+    /// The frame from (0, 0) to (1, 0), B at (−3, 0) and C at (1, −3). With twice the lengths and turned through 90°, C
+    /// is at (6, 2).
     #[test]
     fn a_position_is_drawn_with_the_frame() {
         for (length, angle, b, c, d) in [

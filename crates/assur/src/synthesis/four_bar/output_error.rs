@@ -123,8 +123,8 @@ mod tests {
             .map(f64::to_degrees)
     }
 
-    /// With the input 3 at 180° the diagonal is 4, and a coupler of 5 holds the output 3 at a right angle to it, on either
-    /// side.
+    /// With the input 3 at 180° the diagonal is 4, and a coupler of 5 holds the output 3 at a right angle to it, on
+    /// either side.
     #[test]
     fn the_error_is_the_angle_to_the_nearer_assembly() {
         for (output, expected) in [
@@ -139,7 +139,8 @@ mod tests {
         }
     }
 
-    /// Over a diagonal of 4 with an output of 3, a coupler of 7 is stretched, one of 1 is folded, and others do not reach.
+    /// Over a diagonal of 4 with an output of 3, a coupler of 7 is stretched, one of 1 is folded, and others do not
+    /// reach.
     #[test]
     fn in_line_the_output_has_one_direction_and_beyond_none() {
         for (coupler, expected) in [

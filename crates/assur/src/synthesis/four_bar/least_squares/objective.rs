@@ -193,8 +193,9 @@ mod tests {
         }
     }
 
-    /// By ln z₂ the gaps change by (4, −3)·(0, −3)/5 = 9/5 and 3, by ln z₃ by 12/5 and −3, by the angles of output and input
-    /// by 12/5 and 0, and by −9/5 and 0. The mean of 2(|r| − z₁)∂|r| with |r| − z₁ = ±2 is their difference times 2.
+    /// By ln z₂ the gaps change by (4, −3)·(0, −3)/5 = 9/5 and 3, by ln z₃ by 12/5 and −3, by the angles of output and
+    /// input by 12/5 and 0, and by −9/5 and 0. The mean of 2(|r| − z₁)∂|r| with |r| − z₁ = ±2 is their difference times
+    /// 2.
     #[test]
     fn the_gradient_from_the_changes_of_the_gaps() {
         let found = objective([1.0; 2], Task::RATIOS).at(&[3_f64.ln(), 3_f64.ln(), 0.0, 0.0]);

@@ -48,7 +48,8 @@ mod tests {
         Surface::new(&Task::new(frame, &positions, ratios).unwrap())
     }
 
-    /// The best coupler 3 leaves 4 + 4; with the weights 3 and 1 the best is 4 and leaves 3·1 + 9; bounded by 2 it leaves 9 + 1.
+    /// The best coupler 3 leaves 4 + 4; with the weights 3 and 1 the best is 4 and leaves 3·1 + 9; bounded by 2 it
+    /// leaves 9 + 1.
     #[test]
     fn the_surface_is_the_weighted_sum_of_squared_gaps_that_are_left() {
         for (weights, ratios, expected) in [

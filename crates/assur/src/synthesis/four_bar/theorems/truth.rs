@@ -164,8 +164,8 @@ mod tests {
         }
     }
 
-    /// Coupler 90°, output −45°, input 225°: z₂ − z₃ = √2 and z₁ = (z₂ + z₃)/√2, which exceeds 1. Coupler 45°, output −45°,
-    /// input 90°: z₂ = √2 − z₁ and z₃ = 1 − √2 z₁.
+    /// Coupler 90°, output −45°, input 225°: z₂ − z₃ = √2 and z₁ = (z₂ + z₃)/√2, which exceeds 1. Coupler 45°, output
+    /// −45°, input 90°: z₂ = √2 − z₁ and z₃ = 1 − √2 z₁.
     #[test]
     fn the_range_of_the_coupler_by_positive_lengths() {
         for (degrees, from, to) in [
