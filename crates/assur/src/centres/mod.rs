@@ -135,7 +135,7 @@ mod tests {
     use crate::linkage::LinkageSpec;
     use crate::motion::Motion;
 
-    /// A mechanism in its drawn pose, with a query by the names of two bodies; `""` is the frame.
+    /// The centre of two bodies in the drawn pose, by Kennedy's theorem and from velocities; `""` is the frame.
     fn centre(spec: &LinkageSpec, names: [&str; 2]) -> [Centre; 2] {
         let mechanism = Mechanism::new(spec).unwrap();
         let motion = Motion::new(mechanism);

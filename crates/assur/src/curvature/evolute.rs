@@ -78,7 +78,7 @@ mod tests {
         assert_eq!(Evolute::of(&motion, pivot), Evolute::default());
     }
 
-    /// A scotch yoke would do the same: the slider of a slider-crank moves along a line, so its path has no centre.
+    /// The slider of a slider-crank moves along a line, so its path has no centre of curvature.
     #[test]
     fn a_straight_path_has_no_evolute() {
         let spec = LinkageSpec::default()

@@ -51,7 +51,7 @@ mod tests {
         Task::new(frame, positions, Task::RATIOS).unwrap()
     }
 
-    /// Poses of the four-bar 1, 4, 3, 4 from triangles 3-4-5, 3-3-4 and 3-4-5 (crank at 180°), the last two also
+    /// Poses of the four-bar 1, 4, 3, 4 from triangles 3-4-5, 3-3-4 and 3-4-5 (crank at 180°), and the second of them
     /// mirrored in the frame: exact positions are met whatever their weights.
     #[test]
     fn exact_positions_give_the_linkage_back() {
