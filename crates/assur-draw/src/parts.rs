@@ -254,3 +254,70 @@ fn capsule(from: Point, to: Point, half_width: f64) -> Vec<Point> {
         .chain(end(from, direction + PI / 2.0))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(places: &[[f64; 2]]) -> Vec<Point> {
+        places.iter().map(|place| Point::from(*place)).collect()
+    }
+
+    /// The hull of a square with a point inside it, one on a side, and a corner twice; and of points in line.
+    #[test]
+    fn a_hull_has_the_corners_counter_clockwise() {
+        let square = points(&[
+            [2.0, 2.0],
+            [0.0, 0.0],
+            [1.0, 1.0],
+            [2.0, 0.0],
+            [1.0, 0.0],
+            [0.0, 2.0],
+            [2.0, 2.0],
+        ]);
+        assert_eq!(
+            hull(square),
+            points(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]])
+        );
+        let line = points(&[[1.0, 2.0], [0.0, 0.0], [3.0, 6.0], [2.0, 4.0]]);
+        assert_eq!(hull(line), points(&[[0.0, 0.0], [3.0, 6.0]]));
+        assert_eq!(hull(points(&[[1.0, 2.0]])), points(&[[1.0, 2.0]]));
+    }
+
+    /// Triangle 3-4-5 with the right angle at (0, 0): its hypotenuse is 12/5 from the right angle.
+    #[test]
+    fn distances_from_a_triangular_plate() {
+        let corners = points(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]);
+        for (place, expected) in [
+            ([1.0, 1.0], 0.0),
+            ([0.0, 0.0], 0.0),
+            ([2.0, -1.5], 1.5),
+            ([7.0, -4.0], 5.0),
+            // The mirror image of the right angle in the hypotenuse.
+            ([2.88, 3.84], 2.4),
+        ] {
+            let found = distance_to_plate(place.into(), &corners).unwrap();
+            assert!((found - expected).abs() < 1e-15, "{place:?}: {found}");
+        }
+        assert!((distance(Point::origin(), corners[1], corners[2]) - 2.4).abs() < 1e-15);
+        assert_eq!(distance_to_plate(Point::origin(), &[]), None);
+    }
+
+    /// A triangle has its centroid at the mean of the corners. An L of rectangles would not be convex; a trapezium with
+    /// the parallel sides 4 and 2 and the height 3 has it at 3·(4 + 2·2)/(3·(4 + 2)) from the longer side.
+    #[test]
+    fn centroids_of_triangle_trapezium_and_bar() {
+        for (corners, expected) in [
+            (&[[0.0, 0.0], [3.0, 0.0], [0.0, 6.0]][..], [1.0, 2.0]),
+            (
+                &[[-2.0, 0.0], [2.0, 0.0], [1.0, 3.0], [-1.0, 3.0]],
+                [0.0, 4.0 / 3.0],
+            ),
+            (&[[1.0, 1.0], [3.0, 5.0]], [2.0, 3.0]),
+        ] {
+            let found = centroid(&points(corners)).unwrap();
+            assert!((found - Point::from(expected)).norm() < 1e-15, "{found}");
+        }
+        assert_eq!(centroid(&points(&[[1.0, 1.0]])), None);
+    }
+}

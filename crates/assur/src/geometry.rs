@@ -70,3 +70,67 @@ impl<const N: usize> JetPoint<N> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A segment from (0, 0) to (3, 4), of length 5. The foot of the perpendicular from (4, 3) is 24/5
+    /// along it; (−2.8, 4.6) is 2 along it and 5 to the left.
+    #[test]
+    fn nearest_point_of_a_segment_is_the_foot_or_an_end() {
+        let (from, to) = (Point::origin(), Point::new(3.0, 4.0));
+        for (place, expected) in [
+            ([4.0, 3.0], [2.88, 3.84]),
+            ([-2.8, 4.6], [1.2, 1.6]),
+            ([4.0, -3.0], [0.0, 0.0]),
+            ([-1.0, -1.0], [0.0, 0.0]),
+            ([6.0, 8.0], [3.0, 4.0]),
+        ] {
+            let found = nearest(place.into(), from, to);
+            let off = (found - Point::from(expected)).norm();
+            assert!(off < 1e-15, "{place:?}: {found}");
+        }
+        assert_eq!(nearest(to, from, from), from);
+    }
+
+    /// An arm with the components 3 along and 4 across has the length 5: v = (−4, 3), a = −r, and so on.
+    #[test]
+    fn derivatives_of_a_turning_arm_are_quarter_turns() {
+        let end =
+            JetPoint::fixed(Point::new(1.0, 2.0)).offset(Jet::<5>::linear(0.0, 1.0), 3.0, 4.0);
+        assert_eq!(end.place(), Point::new(4.0, 6.0));
+        for (order, expected) in [
+            [-4.0, 3.0],
+            [-3.0, -4.0],
+            [4.0, -3.0],
+            [3.0, 4.0],
+            [0.0, 0.0],
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            let found = end.derivative(order + 1);
+            assert!(
+                (found - Vector::from(expected)).norm() < 1e-14,
+                "{order}: {found}"
+            );
+        }
+    }
+
+    /// At twice the speed of the input, the velocity is twice and the acceleration four times as large.
+    #[test]
+    fn centripetal_acceleration_is_the_square_of_the_speed_times_the_radius() {
+        let end = JetPoint::fixed(Point::origin()).offset(Jet::<3>::linear(0.0, 2.0), 5.0, 0.0);
+        assert_eq!(end.derivative(1), Vector::new(0.0, 10.0));
+        assert_eq!(end.derivative(2), Vector::new(-20.0, 0.0));
+    }
+
+    #[test]
+    fn two_quarter_turns_reverse_a_vector() {
+        let v = Vector::new(3.0, 4.0);
+        assert_eq!(perpendicular(v), Vector::new(-4.0, 3.0));
+        assert_eq!(perpendicular(perpendicular(v)), -v);
+        assert_eq!(v.perp(&perpendicular(v)), 25.0);
+    }
+}

@@ -32,3 +32,32 @@ pub(super) fn grown(base: [f64; 4], places: impl Iterator<Item = Point>, most: f
         ]
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rectangle_around_points_has_their_extremes() {
+        let places = [[1.0, 2.0], [-2.0, 5.0], [0.0, 1.0]].map(Point::from);
+        let found = around(places.into_iter());
+        assert_eq!(found, [-2.0, 1.0, 1.0, 5.0]);
+        // Sides of 3 and 4.
+        assert_eq!(size(found), 5.0);
+        assert_eq!(around([].into_iter()), [-1.0, -1.0, 1.0, 1.0]);
+    }
+
+    /// A square from 0 to 2 that may grow by 1 on each side.
+    #[test]
+    fn a_rectangle_grows_up_to_a_limit() {
+        for (place, expected) in [
+            ([1.0, 1.0], [0.0, 0.0, 2.0, 2.0]),
+            ([2.5, 1.0], [0.0, 0.0, 2.5, 2.0]),
+            ([9.0, -9.0], [0.0, -1.0, 3.0, 2.0]),
+            ([-0.5, 9.0], [-0.5, 0.0, 2.0, 3.0]),
+        ] {
+            let found = grown([0.0, 0.0, 2.0, 2.0], [Point::from(place)].into_iter(), 1.0);
+            assert_eq!(found, expected, "{place:?}");
+        }
+    }
+}

@@ -128,3 +128,125 @@ impl Mechanism {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linkage::LinkageSpec;
+    use crate::motion::Motion;
+
+    /// The centre of two bodies in the drawn pose, by Kennedy's theorem and from velocities; `""` is the frame.
+    fn centre(spec: &LinkageSpec, names: [&str; 2]) -> [Centre; 2] {
+        let mechanism = Mechanism::new(spec).unwrap();
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<2>(motion.drawn_input()).unwrap();
+        let mut bodies = names.map(|name| mechanism.body_of(mechanism.link(name)));
+        bodies.sort();
+        let both = [
+            mechanism.kennedy(&pose),
+            mechanism.centres_by_velocities(&pose),
+        ];
+        both.map(|all| all.iter().find(|one| one.bodies == bodies).unwrap().centre)
+    }
+
+    /// Asserts that Kennedy's theorem and the velocities both give a point or, with `None`, this direction at infinity.
+    fn check(spec: &LinkageSpec, names: [&str; 2], expected: Vector, is_finite: bool) {
+        for found in centre(spec, names) {
+            match found {
+                Centre::At(place) if is_finite => {
+                    assert!(
+                        (place.coords - expected).norm() < 1e-12,
+                        "{names:?}: {place}"
+                    );
+                }
+                Centre::Infinity(along) if !is_finite => {
+                    assert!(along.perp(&expected).abs() < 1e-12, "{names:?}: {along}");
+                }
+                _ => panic!("{names:?}: {found:?}"),
+            }
+        }
+    }
+
+    /// Crank from (0, 0) to (1, 1), rocker from (6, 0) to (4, 2). Their lines y = x and y = 6 − x meet in (3, 3), and
+    /// the coupler's line y = (x + 2)/3 meets the frame in (−2, 0): the rocker turns at 2/8 of the speed of the crank.
+    #[test]
+    fn the_six_centres_of_a_four_bar() {
+        let four_bar = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 1.0, 1.0)
+            .point("C", 4.0, 2.0)
+            .point("D", 6.0, 0.0)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["C", "D"])
+            .crank("crank");
+        for (names, expected) in [
+            (["crank", ""], [0.0, 0.0]),
+            (["crank", "coupler"], [1.0, 1.0]),
+            (["coupler", "rocker"], [4.0, 2.0]),
+            (["rocker", ""], [6.0, 0.0]),
+            (["coupler", ""], [3.0, 3.0]),
+            (["crank", "rocker"], [-2.0, 0.0]),
+        ] {
+            check(&four_bar, names, Vector::from(expected), true);
+        }
+        let motion = Motion::new(Mechanism::new(&four_bar).unwrap());
+        let pose = motion.pose::<2>(motion.drawn_input()).unwrap();
+        let rocker = motion.mechanism().link("rocker").unwrap();
+        let rate = motion.mechanism().angle(&pose, rocker).derivative(1);
+        assert!((rate - 0.25).abs() < 1e-14, "{rate}");
+    }
+
+    /// A slider-crank with the crank 3 at a right angle to the slide, and a rod from (0, 3) to (4, 0). The rod
+    /// translates for an instant. Crank and slider have the same velocity at B, where the rod meets the normal to the
+    /// slide through A.
+    #[test]
+    fn a_crank_at_a_right_angle_to_the_slide_moves_the_rod_without_turning_it() {
+        let slider_crank = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 3.0)
+            .point("C", 4.0, 0.0)
+            .point("E", 9.0, 0.0)
+            .fixed(&["A", "E"])
+            .bar("crank", &["A", "B"])
+            .bar("rod", &["B", "C"])
+            .bar("slider", &["C"])
+            .slide("slider", "C", "frame", ["A", "E"])
+            .crank("crank");
+        check(&slider_crank, ["rod", ""], Vector::y(), false);
+        check(&slider_crank, ["slider", ""], Vector::y(), false);
+        check(
+            &slider_crank,
+            ["crank", "slider"],
+            Vector::new(0.0, 3.0),
+            true,
+        );
+    }
+
+    /// A slotted lever about (0, 0) with its block at the end (3, 4) of a crank about (3, 0). The centre of crank and
+    /// lever is on the frame's line, where the normal to the slot at (3, 4) meets it: 3 + 16/3 from the pivot of the
+    /// lever.
+    #[test]
+    fn crank_and_slotted_lever_meet_on_the_normal_of_the_slot() {
+        let lever = LinkageSpec::default()
+            .point("O", 0.0, 0.0)
+            .point("E", 6.0, 8.0)
+            .point("A", 3.0, 0.0)
+            .point("B", 3.0, 4.0)
+            .fixed(&["O", "A"])
+            .bar("crank", &["A", "B"])
+            .bar("lever", &["O", "E"])
+            .bar("block", &["B"])
+            .slide("block", "B", "lever", ["O", "E"])
+            .crank("crank");
+        check(
+            &lever,
+            ["crank", "lever"],
+            Vector::new(25.0 / 3.0, 0.0),
+            true,
+        );
+        check(&lever, ["block", "lever"], Vector::new(4.0, -3.0), false);
+    }
+}

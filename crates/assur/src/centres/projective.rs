@@ -27,3 +27,49 @@ pub(super) fn affine(place: Place) -> Result<Vector, Vector> {
         Err(way.normalize())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The line through (0, 3) and (4, 0) is 3x + 4y − 12 = 0. It meets x = 4 in (4, 0), and y = x in (12/7, 12/7).
+    #[test]
+    fn two_points_give_a_line_and_two_lines_a_point() {
+        let line = at(Vector::new(0.0, 3.0)).cross(&at(Vector::new(4.0, 0.0)));
+        assert_eq!(line, Place::new(3.0, 4.0, -12.0));
+        for (other, expected) in [
+            ([1.0, 0.0, -4.0], [4.0, 0.0]),
+            ([0.0, 1.0, 0.0], [4.0, 0.0]),
+            ([1.0, -1.0, 0.0], [12.0 / 7.0, 12.0 / 7.0]),
+        ] {
+            let point = affine(line.cross(&Place::from(other))).unwrap();
+            assert!((point - Vector::from(expected)).norm() < 1e-15, "{point}");
+        }
+    }
+
+    /// 3x + 4y = 0 and 3x + 4y = 5 have the direction (4, −3).
+    #[test]
+    fn parallels_meet_at_infinity_along_themselves() {
+        let lines = [Place::new(3.0, 4.0, 0.0), Place::new(3.0, 4.0, -5.0)];
+        let direction = affine(lines[0].cross(&lines[1])).unwrap_err();
+        assert!(direction.perp(&Vector::new(0.8, -0.6)).abs() < 1e-15);
+        assert!((direction.norm() - 1.0).abs() < 1e-15);
+    }
+
+    /// The line from (1, 1) towards (1, 0) at infinity is y = 1.
+    #[test]
+    fn a_line_towards_infinity_has_its_direction() {
+        let line = at(Vector::new(1.0, 1.0)).cross(&towards(Vector::new(1.0, 0.0)));
+        let crossing = affine(line.cross(&Place::new(1.0, 0.0, -7.0))).unwrap();
+        assert_eq!(crossing, Vector::new(7.0, 1.0));
+    }
+
+    /// The three points (0, 1), (2, 2) and (4, 3) are on one line, so their determinant is zero; with (4, 4) it is 2.
+    #[test]
+    fn the_determinant_of_points_on_a_line_is_zero() {
+        let [a, b] = [[0.0, 1.0], [2.0, 2.0]].map(|place| at(Vector::from(place)));
+        for (y, determinant) in [(3.0, 0.0), (4.0, 2.0)] {
+            assert_eq!(a.cross(&b).dot(&at(Vector::new(4.0, y))), determinant);
+        }
+    }
+}

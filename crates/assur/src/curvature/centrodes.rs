@@ -59,3 +59,56 @@ fn rolling_at(motion: &Motion, pose: &Pose<3>, link: LinkId, input: f64) -> Opti
     };
     Some((rolling, spin.signum()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linkage::LinkageSpec;
+    use crate::mechanism::Mechanism;
+
+    /// Cranks of 2 on a frame of 1 with a coupler of 1, crossed: C is the mirror image of (1, 2) in the line BD.
+    fn antiparallelogram() -> Motion {
+        let spec = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 2.0)
+            .point("C", -0.6, 1.2)
+            .point("D", 1.0, 0.0)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C"])
+            .bar("rocker", &["D", "C"])
+            .crank("crank");
+        Motion::new(Mechanism::new(&spec).unwrap())
+    }
+
+    /// The crossed cranks meet in the pole P, and by symmetry PA + PD = PB + PC = 2: two equal ellipses roll on each
+    /// other.
+    #[test]
+    fn centrodes_of_an_antiparallelogram_are_ellipses_with_the_hinges_as_foci() {
+        let motion = antiparallelogram();
+        let coupler = motion.mechanism().link("coupler").unwrap();
+        let centrodes = Centrodes::of(&motion, coupler);
+        let all: Vec<&Rolling> = centrodes.pieces.iter().flatten().collect();
+        assert!(all.len() > 360, "{}", all.len());
+        for Rolling { fixed, moving, .. } in all {
+            for place in [fixed.coords, *moving] {
+                let sum = place.norm() + (place - Vector::x()).norm();
+                assert!((sum - 2.0).abs() < 1e-9, "{place}: {sum}");
+            }
+        }
+    }
+
+    /// The pole of a crank is its pivot, in the frame and on the crank.
+    #[test]
+    fn centrodes_of_a_crank_are_its_pivot() {
+        let motion = antiparallelogram();
+        for (link, pivot) in [("crank", [0.0, 0.0]), ("rocker", [1.0, 0.0])] {
+            let centrodes = Centrodes::of(&motion, motion.mechanism().link(link).unwrap());
+            let mut all = centrodes.pieces.iter().flatten();
+            assert!(all.clone().count() > 360, "{link}");
+            assert!(all.all(|one| {
+                (one.fixed - Point::from(pivot)).norm() < 1e-9 && one.moving.norm() < 1e-9
+            }));
+        }
+    }
+}

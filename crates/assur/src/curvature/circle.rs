@@ -73,4 +73,51 @@ mod tests {
             }
         }
     }
+
+    /// At the ends of the axes of an ellipse, x = 2 cos t and y = sin t, R is b²/a = 1/2 and a²/b = 4. With
+    /// R = (1 + 3 sin² t)^(3/2)/2, its second derivatives there are 9/2 and −9; the centres are (3/2, 0) and (0, −3).
+    #[test]
+    fn radius_at_the_vertices_of_an_ellipse() {
+        for (x, y, centre, radius) in [
+            (
+                [2.0, 0.0, -2.0, 0.0, 2.0],
+                [0.0, 1.0, 0.0, -1.0, 0.0],
+                [1.5, 0.0],
+                [0.5, 0.0, 4.5],
+            ),
+            (
+                [0.0, -2.0, 0.0, 2.0, 0.0],
+                [1.0, 0.0, -1.0, 0.0, 1.0],
+                [0.0, -3.0],
+                [4.0, 0.0, -9.0],
+            ),
+        ] {
+            let [x, y] = [x, y].map(Jet::of_derivatives);
+            let found = CircleOfCurvature::of(&JetPoint { x, y }, 1.0).unwrap();
+            assert!(
+                (found.centre - Point::from(centre)).norm() < 1e-14,
+                "{found:?}"
+            );
+            for (order, value) in radius.into_iter().enumerate() {
+                assert!(
+                    (found.radius.derivative(order) - value).abs() < 1e-13,
+                    "{found:?}"
+                );
+            }
+        }
+    }
+
+    /// x = t, y = t³ has an inflection at 0; x = t², y = t³ has a cusp there.
+    #[test]
+    fn an_inflection_and_a_cusp_have_no_circle() {
+        let cube = Jet::of_derivatives([0.0, 0.0, 0.0, 6.0, 0.0]);
+        for (x, reason) in [
+            ([0.0, 1.0, 0.0, 0.0, 0.0], NoCircle::Straight),
+            ([0.0, 0.0, 2.0, 0.0, 0.0], NoCircle::Still),
+        ] {
+            let x = Jet::of_derivatives(x);
+            let found = CircleOfCurvature::of(&JetPoint { x, y: cube }, 1.0);
+            assert_eq!(found, Err(reason));
+        }
+    }
 }

@@ -89,3 +89,109 @@ fn ball(pole: Point, diameter: Vector, along: Vector) -> Option<Point> {
     let ball = pole + along * share;
     ball.coords.norm_squared().is_finite().then_some(ball)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curvature::Curvature;
+    use crate::linkage::LinkageSpec;
+    use crate::motion::Motion;
+
+    /// A wheel of radius 1 that rolls on the x-axis: the pole is the point of contact, the inflection pole the centre
+    /// of the wheel. A point of the rim draws a cycloid, whose radius of curvature is twice the distance from the
+    /// contact.
+    #[test]
+    fn a_cycloid_bends_about_twice_the_distance_from_the_contact() {
+        let rolling = Circles {
+            pole: Point::origin(),
+            pole_velocity: Vector::x(),
+            spin: -1.0,
+            diameter: Vector::y(),
+            ball: None,
+        };
+        for (of, centre) in [([0.0, 2.0], [0.0, -2.0]), ([1.0, 1.0], [-1.0, -1.0])] {
+            let found = rolling.centre_of_curvature(of.into()).unwrap();
+            assert!((found - Point::from(centre)).norm() < 1e-15, "{found}");
+        }
+        // The centre of the wheel and the point of contact have no circle of curvature.
+        for of in [[0.0, 1.0], [0.0, 0.0]] {
+            assert_eq!(rolling.centre_of_curvature(of.into()), None);
+        }
+        assert_eq!(rolling.inflection(), (Point::new(0.0, 0.5), 0.5));
+    }
+
+    /// A slider-crank with crank 3 and rod 5, stretched out. The pole of the rod is the slider at (8, 0), and θ′ =
+    /// −3/5. The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along it. The paths of all points of the
+    /// inflection circle are straight to the third order.
+    #[test]
+    fn circles_of_a_stretched_slider_crank() {
+        let slider_crank = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 3.0, 0.0)
+            .point("C", 8.0, 0.0)
+            .point("E", 9.0, 0.0)
+            .fixed(&["A", "E"])
+            .bar("crank", &["A", "B"])
+            .bar("rod", &["B", "C"])
+            .bar("slider", &["C"])
+            .slide("slider", "C", "frame", ["A", "E"])
+            .crank("crank");
+        let mechanism = Mechanism::new(&slider_crank).unwrap();
+        let motion = Motion::new(mechanism);
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<4>(0.0).unwrap();
+        let body = |name: &str| mechanism.body_of(mechanism.link(name));
+        let rod = Circles::of(mechanism, &pose, body("rod")).unwrap();
+        assert!((rod.spin + 0.6).abs() < 1e-14);
+        for (found, expected) in [
+            (rod.pole.coords, [8.0, 0.0]),
+            (rod.pole_velocity, [0.0, 8.0]),
+            (rod.diameter, [-40.0 / 3.0, 0.0]),
+            // The crank's end moves around the crank's pivot.
+            (
+                rod.centre_of_curvature(Point::new(3.0, 0.0))
+                    .unwrap()
+                    .coords,
+                [0.0, 0.0],
+            ),
+            // At x = 5.5, halfway along the rod: PA² = 6.25 and AW = −65/6, so the centre is 15/26 to the left.
+            (
+                rod.centre_of_curvature(Point::new(5.5, 0.0))
+                    .unwrap()
+                    .coords,
+                [5.5 - 15.0 / 26.0, 0.0],
+            ),
+        ] {
+            assert!(
+                (found - Vector::from(expected)).norm() < 1e-12,
+                "{found}, not {expected:?}"
+            );
+        }
+        let (centre, radius) = rod.inflection();
+        for along in [Vector::y(), -Vector::x(), Vector::new(0.6, 0.8)] {
+            let point = mechanism.fixed_to(&pose, body("rod"), centre + along * radius);
+            let path = Curvature::of(&point, mechanism.size()).unwrap();
+            assert!(
+                path.curvature.abs() < 1e-14 && path.rate.abs() < 1e-14,
+                "{path:?}"
+            );
+        }
+        assert_eq!(Circles::of(mechanism, &pose, body("slider")), None);
+    }
+
+    /// About a hinge of the frame every point moves on a circle around the hinge.
+    #[test]
+    fn about_a_hinge_all_centres_of_curvature_are_the_hinge() {
+        let hinge = Circles {
+            pole: Point::new(1.0, 2.0),
+            pole_velocity: Vector::zeros(),
+            spin: 1.0,
+            diameter: Vector::zeros(),
+            ball: None,
+        };
+        for of in [[4.0, 6.0], [1.0, -3.0]] {
+            assert_eq!(hinge.centre_of_curvature(of.into()), Some(hinge.pole));
+        }
+        assert_eq!(hinge.inflection(), (hinge.pole, 0.0));
+    }
+}

@@ -30,3 +30,70 @@ impl Evolute {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linkage::LinkageSpec;
+    use crate::mechanism::Mechanism;
+
+    /// A parallelogram of sides 2 and 5, with a point P of the coupler, and a motion of a full turn.
+    fn parallelogram() -> Motion {
+        let spec = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 2.0)
+            .point("C", 5.0, 2.0)
+            .point("D", 5.0, 0.0)
+            .point("P", 3.0, 6.0)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C", "P"])
+            .bar("rocker", &["D", "C"])
+            .crank("crank");
+        Motion::new(Mechanism::new(&spec).unwrap())
+    }
+
+    /// The coupler of a parallelogram moves without turning: P moves like B, on a circle about A shifted by (3, 4).
+    #[test]
+    fn points_of_a_parallelogram_have_one_centre_each() {
+        let motion = parallelogram();
+        for (name, centre) in [("B", [0.0, 0.0]), ("C", [5.0, 0.0]), ("P", [3.0, 4.0])] {
+            let point = motion.mechanism().point(name).unwrap();
+            let evolute = Evolute::of(&motion, point);
+            let all: Vec<&Point> = evolute.pieces.iter().flatten().collect();
+            assert!(all.len() > 360, "{name}: {}", all.len());
+            for place in all {
+                assert!(
+                    (place - Point::from(centre)).norm() < 1e-11,
+                    "{name}: {place}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_fixed_point_has_no_evolute() {
+        let motion = parallelogram();
+        let pivot = motion.mechanism().point("D").unwrap();
+        assert_eq!(Evolute::of(&motion, pivot), Evolute::default());
+    }
+
+    /// The slider of a slider-crank moves along a line, so its path has no centre of curvature.
+    #[test]
+    fn a_straight_path_has_no_evolute() {
+        let spec = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 3.0)
+            .point("C", 4.0, 0.0)
+            .point("E", 9.0, 0.0)
+            .fixed(&["A", "E"])
+            .bar("crank", &["A", "B"])
+            .bar("rod", &["B", "C"])
+            .bar("slider", &["C"])
+            .slide("slider", "C", "frame", ["A", "E"])
+            .crank("crank");
+        let motion = Motion::new(Mechanism::new(&spec).unwrap());
+        let slider = motion.mechanism().point("C").unwrap();
+        assert_eq!(Evolute::of(&motion, slider), Evolute::default());
+    }
+}

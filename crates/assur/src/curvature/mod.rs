@@ -142,4 +142,17 @@ mod tests {
             None
         );
     }
+
+    /// The evolute of y = x²/2 is (−x³, 1 + 3x²/2). At x = 1 its derivative is (−3, 3), and that of the arc length √2.
+    #[test]
+    fn the_evolute_of_a_parabola_is_a_semicubical_parabola() {
+        let found = Curvature::of(&point([1.0, 1.0, 0.0, 0.0], [0.5, 1.0, 1.0, 0.0]), 1.0).unwrap();
+        assert!((found.radius().unwrap() - 8_f64.sqrt()).abs() < 1e-14);
+        assert!((found.radius_rate().unwrap() - 3.0).abs() < 1e-14);
+        let expected = Vector::new(-3.0, 3.0) / 2_f64.sqrt();
+        assert!(
+            (found.evolute().unwrap() - expected).norm() < 1e-14,
+            "{found:?}"
+        );
+    }
 }

@@ -56,4 +56,32 @@ mod tests {
             assert_eq!(cranks, expected, "{lengths:?}");
         }
     }
+
+    /// From the closure to the second order, with φ₃ = kφ₁. In the parallelogram 1, 2, 1, 2, both cranks along the
+    /// frame: (k − 1)(k + 3) = 0; opposite to it: (k − 1)(3k + 1) = 0. In the four-bar 1, 2, 3, 2: 3k² + 6k − 1 = 0.
+    #[test]
+    fn rates_of_the_two_motions_solve_a_quadratic() {
+        let root = (4.0_f64 / 3.0).sqrt();
+        for (lengths, index, expected) in [
+            ([1.0, 2.0, 1.0, 2.0], 0, [1.0, -3.0]),
+            ([1.0, 2.0, 1.0, 2.0], 1, [1.0, -1.0 / 3.0]),
+            ([1.0, 2.0, 3.0, 2.0], 0, [-1.0 + root, -1.0 - root]),
+        ] {
+            let point = FourBar::new(lengths).unwrap().change_points()[index];
+            let mut rates = point.continuations.map(|pose| pose.rocker.derivative(1));
+            rates.sort_by(|a, b| b.total_cmp(a));
+            for (rate, expected) in rates.into_iter().zip(expected) {
+                assert!((rate - expected).abs() < 1e-13, "{lengths:?}: {rates:?}");
+            }
+        }
+    }
+
+    /// All four links of a rhombus are in line at 180°; at 0°, B coincides with D.
+    #[test]
+    fn a_rhombus_has_one_change_point() {
+        let points = FourBar::new([1.0; 4]).unwrap().change_points();
+        let cranks: Vec<f64> = points.iter().map(|point| point.crank).collect();
+        assert_eq!(cranks.len(), 1, "{cranks:?}");
+        assert!((cranks[0].rem_euclid(TAU) - PI).abs() < 1e-15);
+    }
 }

@@ -226,9 +226,7 @@ impl FourBar {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::TAU;
-
-    use super::Cycle;
+    use super::*;
 
     /// A crank may oscillate over more than one turn. Angles outside its arc are still shifted by whole turns.
     #[test]
@@ -239,5 +237,83 @@ mod tests {
         assert!((cycle.wrap(1.9) - (1.9 + TAU)).abs() < 1e-14);
         assert!((cycle.wrap(10.5) - (10.5 - TAU)).abs() < 1e-14);
         assert!((cycle.wrap(-20.0) - (-20.0 + 4.0 * TAU)).abs() < 1e-14);
+    }
+
+    /// Crank and frame 4, coupler and rocker 1 and 2: the diagonal BD lies between 1 and 3, and is opposite to φ₁ in
+    /// the triangle with two sides of 4: cos φ₁ = (32 − BD²)/32. With 2 and 2 it lies between 0 and 4, which is a side
+    /// of an equilateral triangle.
+    #[test]
+    fn ends_of_the_arcs_follow_from_the_law_of_cosines() {
+        let [near, far] = [31.0_f64 / 32.0, 23.0 / 32.0].map(f64::acos);
+        let sixty = 60_f64.to_radians();
+        for (lengths, expected) in [
+            (
+                [4.0, 1.0, 2.0, 4.0],
+                vec![[near, far], [TAU - far, TAU - near]],
+            ),
+            ([4.0, 2.0, 2.0, 4.0], vec![[-sixty, sixty]]),
+        ] {
+            let linkage = FourBar::new(lengths).unwrap();
+            let cycle = linkage.cycle();
+            assert!(!cycle.is_full());
+            assert_eq!(cycle.arcs().len(), expected.len(), "{cycle:?}");
+            for (arc, expected) in cycle.arcs().iter().zip(&expected) {
+                assert!((arc[0] - expected[0]).abs() < 1e-14, "{cycle:?}");
+                assert!((arc[1] - expected[1]).abs() < 1e-14, "{cycle:?}");
+            }
+            assert_eq!(linkage.dead_points(), cycle.arcs().concat());
+        }
+    }
+
+    /// From 0.75 in the range from 0 to 1: 0.5 further is 0.25 back from the end, 1.5 further is 0.25 beyond the start.
+    #[test]
+    fn an_oscillating_driver_turns_back_at_the_ends() {
+        let cycle = Cycle::swinging([0.0, 1.0], None);
+        for (step, expected) in [
+            (0.25, (1.0, 1.0)),
+            (0.5, (0.75, -1.0)),
+            (1.5, (0.25, 1.0)),
+            (-1.0, (0.25, -1.0)),
+            (4.0, (0.75, 1.0)),
+        ] {
+            assert_eq!(cycle.advance(0.75, step), expected, "{step}");
+        }
+        let full = Cycle::turning(1);
+        assert_eq!(full.advance(0.0, 0.5 * TAU), (0.5 * TAU, 1.0));
+        assert_eq!(cycle.advance(7.0, 0.0), (1.0, 1.0));
+    }
+
+    /// Arcs of a slide join if they do not overlap; those of a crank are shifted by whole turns.
+    #[test]
+    fn arcs_of_two_cycles_join_in_order() {
+        let slide = |arc| Cycle::swinging(arc, None);
+        let (joined, shift) = slide([0.0, 1.0]).joined(&slide([2.0, 3.0])).unwrap();
+        assert_eq!((joined.arcs(), shift), (&[[0.0, 1.0], [2.0, 3.0]][..], 0.0));
+        let (joined, _) = slide([2.0, 3.0]).joined(&slide([0.0, 1.0])).unwrap();
+        assert_eq!(joined.arcs(), [[0.0, 1.0], [2.0, 3.0]]);
+        assert_eq!(slide([0.0, 2.0]).joined(&slide([1.0, 3.0])), None);
+        let crank = |arc| Cycle::swinging(arc, Some(TAU));
+        let (joined, shift) = crank([1.0, 2.0]).joined(&crank([-1.0, 0.0])).unwrap();
+        assert_eq!(
+            (joined.arcs(), shift),
+            (&[[1.0, 2.0], [TAU - 1.0, TAU]][..], TAU)
+        );
+        assert_eq!(Cycle::turning(1).joined(&crank([0.0, 1.0])), None);
+    }
+
+    /// The axis is a whole turn around the arcs: from 0 or −π if possible, otherwise with the arcs in its middle.
+    #[test]
+    fn the_axis_of_a_crank_is_one_turn() {
+        for (arc, expected) in [
+            ([1.0, 2.0], [0.0, TAU]),
+            ([-1.0, 1.0], [-PI, PI]),
+            ([4.0, 8.0], [6.0 - PI, 6.0 + PI]),
+            ([2.0, 10.0], [2.0, 10.0]),
+        ] {
+            let axis = Cycle::swinging(arc, Some(TAU)).axis();
+            for (found, expected) in axis.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-15, "{arc:?}: {axis:?}");
+            }
+        }
     }
 }

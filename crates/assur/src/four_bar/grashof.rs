@@ -82,4 +82,49 @@ mod tests {
             );
         }
     }
+
+    /// s + l = p + q: rhombus 2 = 2, parallelogram and antiparallelogram 4 = 4, deltoid 3 = 3 with either order of its
+    /// sides.
+    #[test]
+    fn equal_opposite_or_neighbouring_links_have_change_points() {
+        for lengths in [
+            [1.0, 1.0, 1.0, 1.0],
+            [1.0, 3.0, 1.0, 3.0],
+            [2.0, 1.0, 1.0, 2.0],
+            [1.0, 1.0, 2.0, 2.0],
+        ] {
+            let found = FourBar::new(lengths).unwrap().grashof();
+            assert_eq!(found, Grashof::ChangePoint, "{lengths:?}");
+        }
+    }
+
+    /// Lengths 1, 2, 3 and a frame of 2: s + l = 4. A frame longer by 10⁻¹² makes p + q greater, a shorter one less;
+    /// 10⁻¹⁵ is within rounding.
+    #[test]
+    fn the_type_changes_at_equality() {
+        for (frame, expected) in [
+            (2.0 + 1e-12, Grashof::CrankRocker),
+            (2.0 + 1e-15, Grashof::ChangePoint),
+            (2.0 - 1e-12, Grashof::TripleRocker),
+        ] {
+            let linkage = FourBar::new([1.0, 2.0, 3.0, frame]).unwrap();
+            assert_eq!(linkage.grashof(), expected, "{frame}");
+        }
+    }
+
+    /// Grashof's theorem: the crank turns fully if it or the frame is shortest.
+    #[test]
+    fn the_crank_turns_if_it_or_the_frame_is_shortest() {
+        for (lengths, turns) in [
+            ([1.0, 2.0, 3.0, 3.0], true),
+            ([2.0, 3.0, 3.0, 1.0], true),
+            ([2.0, 1.0, 3.0, 3.0], false),
+            ([2.0, 3.0, 1.0, 3.0], false),
+            ([2.0, 2.0, 3.0, 4.0], false),
+            ([1.0, 2.0, 3.0, 2.0], true),
+        ] {
+            let cycle = FourBar::new(lengths).unwrap().cycle();
+            assert_eq!(cycle.is_full(), turns, "{lengths:?}");
+        }
+    }
 }

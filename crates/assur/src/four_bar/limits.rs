@@ -126,4 +126,46 @@ mod tests {
             assert!((limit.rocker - rocker).abs() < 1e-14, "{limit:?}");
         }
     }
+
+    /// If l₁² + l₄² = l₂² + l₃², here 1 + 64 = 16 + 49, the limit positions of C and A are in line (centric
+    /// crank-rocker): the crank turns 180° between them, and the chord of the swing is 2 l₁.
+    #[test]
+    fn a_centric_crank_rocker_has_no_quick_return() {
+        let linkage = FourBar::new([1.0, 4.0, 7.0, 8.0]).unwrap();
+        for assembly in Assembly::ALL {
+            let [first, second] = linkage.limits(assembly)[..] else {
+                panic!("not two")
+            };
+            assert!((second.crank - first.crank - PI).abs() < 1e-14);
+            let swing = (second.rocker - first.rocker).abs();
+            assert!(
+                (swing - 2.0 * (1.0_f64 / 7.0).asin()).abs() < 1e-14,
+                "{swing}"
+            );
+        }
+    }
+
+    /// The second assembly is the mirror image of the first in the line of the frame.
+    #[test]
+    fn limits_of_the_second_assembly_are_mirrored() {
+        let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();
+        let mut second = linkage.limits(Assembly::Second);
+        second.reverse();
+        for (one, other) in linkage.limits(Assembly::First).iter().zip(&second) {
+            assert!((one.crank + other.crank - TAU).abs() < 1e-14);
+            assert!((1.0 - (one.rocker + other.rocker).cos()).abs() < 1e-14);
+        }
+        assert_eq!(second.len(), 2);
+    }
+
+    /// In a drag link both cranks turn. In a parallelogram crank and coupler are in line only at change points.
+    #[test]
+    fn a_rocker_that_turns_has_no_limits() {
+        for lengths in [[2.0, 3.0, 3.0, 1.0], [1.0, 2.0, 1.0, 2.0]] {
+            let linkage = FourBar::new(lengths).unwrap();
+            for assembly in Assembly::ALL {
+                assert_eq!(linkage.limits(assembly), [], "{lengths:?}");
+            }
+        }
+    }
 }

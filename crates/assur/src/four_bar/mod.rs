@@ -231,3 +231,61 @@ fn sum(terms: [f64; 4]) -> f64 {
     }
     high + low
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Crank 1, coupler 4, rocker 3, frame 4: the diagonal is 3 at 0° and 5 at 180°. So P = 49 − 9 and 49 − 25, and
+    /// Q = 9 − 1 and 25 − 1.
+    #[test]
+    fn factors_of_the_area_at_both_ends() {
+        let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();
+        assert_eq!(linkage.p_ends(), [24.0, 40.0]);
+        assert_eq!(linkage.q_ends(), [8.0, 24.0]);
+        // P = 24 + 16 cos²(φ₁/2) and Q = 8 + 16 sin²(φ₁/2).
+        assert_eq!(linkage.weight(), 16.0);
+        assert_eq!(linkage.perimeter(), 12.0);
+    }
+
+    #[test]
+    fn links_in_line_at_change_points() {
+        for (lengths, at_pi, at_zero, is_deltoid) in [
+            ([1.0, 4.0, 3.0, 4.0], false, false, false),
+            ([1.0, 2.0, 1.0, 2.0], true, true, false),
+            ([1.0, 2.0, 3.0, 2.0], false, true, false),
+            ([2.0, 2.0, 3.0, 3.0], true, true, false),
+            ([3.0, 2.0, 2.0, 3.0], false, true, true),
+            ([1.0, 1.0, 1.0, 1.0], true, true, true),
+        ] {
+            let linkage = FourBar::new(lengths).unwrap();
+            assert_eq!(linkage.changes_at_pi(), at_pi, "{lengths:?}");
+            assert_eq!(linkage.changes_at_zero(), at_zero, "{lengths:?}");
+            assert_eq!(linkage.is_deltoid(), is_deltoid, "{lengths:?}");
+        }
+    }
+
+    /// A link as long as the three others together leaves no motion; a longer one does not close by the difference.
+    #[test]
+    fn a_link_as_long_as_the_others_together_is_too_long() {
+        for (lengths, dimension, by) in [
+            ([1.0, 1.0, 1.0, 3.0], Dimension::Frame, 0.0),
+            ([1.0, 1.0, 1.0, 4.0], Dimension::Frame, 1.0),
+            ([1.0, 7.0, 2.0, 3.0], Dimension::Coupler, 1.0),
+        ] {
+            let fault = Fault::TooLong { by };
+            assert_eq!(
+                FourBar::new(lengths),
+                Err(vec![Invalid { dimension, fault }])
+            );
+        }
+    }
+
+    /// Next to 10¹⁶ doubles are 2 apart, so a plain sum loses a 1.
+    #[test]
+    fn sums_keep_what_large_terms_cancel() {
+        assert_eq!(sum([1.0, 1e16, 1.0, -1e16]), 2.0);
+        assert_eq!(sum([0.1, 1e16, 0.2, -1e16]), 0.1 + 0.2);
+        assert_eq!(slacks([1.0, 2.0, 3.0, 4.0]), [8.0, 6.0, 4.0, 2.0]);
+    }
+}

@@ -356,4 +356,21 @@ mod tests {
         };
         assert!(crank == PI && (by - 5.0).abs() < 1e-14, "{by}");
     }
+
+    /// The coupler of a parallelogram of sides 3 and 5 translates: its middle moves like B, on a circle of radius 3.
+    #[test]
+    fn the_coupler_of_a_parallelogram_translates() {
+        let linkage = FourBar::new([3.0, 5.0, 3.0, 5.0]).unwrap();
+        let pose = linkage.pose::<3>(Assembly::First, FRAC_PI_2).unwrap();
+        let middle = linkage.carried(&pose, Link::Coupler, Offset::MIDDLE);
+        for (order, expected) in [[2.5, 3.0], [-3.0, 0.0], [0.0, -3.0]]
+            .into_iter()
+            .enumerate()
+        {
+            let off = middle.derivative(order) - crate::Vector::from(expected);
+            assert!(off.norm() < 1e-14, "{order}: {middle:?}");
+        }
+        let [coupler, rocker] = [pose.coupler, pose.rocker].map(|angle| angle.derivative(1));
+        assert!(coupler.abs() < 1e-15 && (rocker - 1.0).abs() < 1e-15);
+    }
 }

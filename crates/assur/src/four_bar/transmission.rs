@@ -51,4 +51,41 @@ mod tests {
         let (worst, crank) = linkage.worst_transmission();
         assert!((worst.cos() - 2.0 / 3.0).abs() < 1e-14 && crank == 0.0);
     }
+
+    /// In a parallelogram the angle between coupler and rocker is the crank angle, taken acute.
+    #[test]
+    fn the_angle_of_a_parallelogram_is_that_of_its_crank() {
+        let linkage = FourBar::new([3.0, 5.0, 3.0, 5.0]).unwrap();
+        for (crank, expected) in [(30.0_f64, 30.0), (90.0, 90.0), (150.0, 30.0), (180.0, 0.0)] {
+            let angle = linkage.transmission_angle(crank.to_radians()).unwrap();
+            assert!(
+                (angle.to_degrees() - expected).abs() < 1e-13,
+                "{crank}: {angle}"
+            );
+        }
+    }
+
+    /// Lengths 1, 4, 7, 8 with 1 + 64 = 16 + 49: the cosine is (65 − d²)/56, ±2/7 at the diagonals d of 7 and 9.
+    #[test]
+    fn a_centric_crank_rocker_transmits_equally_badly_at_both_ends() {
+        let linkage = FourBar::new([1.0, 4.0, 7.0, 8.0]).unwrap();
+        for crank in [0.0, PI] {
+            let angle = linkage.transmission_angle(crank).unwrap();
+            assert!((angle.cos() - 2.0 / 7.0).abs() < 1e-15, "{angle}");
+        }
+        assert!((linkage.worst_transmission().0.cos() - 2.0 / 7.0).abs() < 1e-15);
+    }
+
+    /// Crank and frame 4, coupler and rocker 2: dead at 60°, where coupler and rocker are stretched over a diagonal of
+    /// 4.
+    #[test]
+    fn the_angle_is_zero_at_a_dead_point_and_none_beyond() {
+        let linkage = FourBar::new([4.0, 2.0, 2.0, 4.0]).unwrap();
+        let (worst, crank) = linkage.worst_transmission();
+        assert!(worst.abs() < 1e-7 && (crank.abs() - PI / 3.0).abs() < 1e-14);
+        assert!(linkage.transmission_angle(1.1).is_err());
+        // At cos φ₁ = 3/4 the diagonal is 2√2: coupler and rocker are at a right angle.
+        let angle = linkage.transmission_angle(0.75_f64.acos()).unwrap();
+        assert!((angle - FRAC_PI_2).abs() < 1e-14, "{angle}");
+    }
 }

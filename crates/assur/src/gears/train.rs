@@ -310,3 +310,49 @@ fn teeth<const N: usize>(members: [(Member, f64); N]) -> Result<[u32; N], Vec<Tr
         Err(reasons)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// cos Σ = (z₄ − z₁)/(2 z₂): 0, ½ and −½; axes of a planar train are parallel.
+    #[test]
+    fn the_axis_of_a_bevel_satellite_leans_towards_the_smaller_wheel() {
+        for (teeth, degrees) in [
+            ([20.0, 15.0, 20.0], 90.0),
+            ([20.0, 20.0, 40.0], 60.0),
+            ([30.0, 10.0, 20.0], 120.0),
+        ] {
+            let train = Train::bevel(teeth).unwrap();
+            let found = train.inclination().to_degrees();
+            assert!((found - degrees).abs() < 1e-13, "{teeth:?}: {found}");
+        }
+        assert_eq!(
+            Train::planar([20.0, 20.0, 60.0]).unwrap().inclination(),
+            0.0
+        );
+    }
+
+    /// z₁z₂′ : z₄z₂ = 20·20 : 70·30, divided by the common divisor 10 of z₂ and z₂′: 40 : 210.
+    #[test]
+    fn weights_of_a_stepped_train_have_no_common_divisor_of_the_satellite() {
+        let train = Train::stepped([20.0, 30.0, 20.0, 70.0]).unwrap();
+        let weights = Shaft::ALL.map(|shaft| train.differential().weight(shaft));
+        assert_eq!(weights, [40, -250, 210]);
+    }
+
+    /// With the carrier held, a ring of 60 teeth turns three times slower than a sun of 20, and in the opposite sense;
+    /// the satellite turns by z₁/z₂ = 20/20.
+    #[test]
+    fn the_satellite_is_an_idler_if_the_carrier_is_held() {
+        let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
+        let given = |shaft, value| Input {
+            shaft,
+            drive: Drive::Given(value),
+        };
+        let inputs = [given(Shaft::Sun, 6.0), given(Shaft::Carrier, 0.0)];
+        let speeds = train.differential().solve(&inputs).unwrap();
+        assert_eq!(speeds.ring, -2.0);
+        assert_eq!(train.spin(&speeds).along, -6.0);
+    }
+}

@@ -261,3 +261,69 @@ pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
         _ => shape,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A four-bar whose coupler BCP is a triangle 3-4-5 with the right angle at C.
+    fn mechanism() -> Mechanism {
+        let spec = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 2.0)
+            .point("C", 3.0, 2.0)
+            .point("P", 3.0, 6.0)
+            .point("D", 5.0, 0.0)
+            .fixed(&["A", "D"])
+            .bar("crank", &["A", "B"])
+            .bar("coupler", &["B", "C", "P"])
+            .bar("rocker", &["D", "C"])
+            .crank("crank");
+        Mechanism::new(&spec).unwrap()
+    }
+
+    #[test]
+    fn sides_and_corner_of_a_right_triangle() {
+        let mechanism = mechanism();
+        let coupler = mechanism.link("coupler").unwrap();
+        for (dimension, expected) in [
+            (Dimension::Length(coupler), 3.0),
+            (Dimension::Side(coupler, [0, 2]), 5.0),
+            (Dimension::Side(coupler, [1, 2]), 4.0),
+            (Dimension::Corner(coupler, 2), (4.0_f64 / 3.0).atan()),
+            (Dimension::X(mechanism.point("D").unwrap()), 5.0),
+        ] {
+            let found = mechanism.value(dimension).unwrap();
+            assert!((found - expected).abs() < 1e-15, "{dimension:?}: {found}");
+        }
+        assert_eq!(mechanism.value(Dimension::Corner(coupler, 3)), None);
+    }
+
+    /// A side CP of 4 may become 0.05 to 2 times as long, but the triangle has to close: 5 − 3 to 5 + 3.
+    #[test]
+    fn ranges_keep_the_triangle_closed() {
+        let mechanism = mechanism();
+        let coupler = mechanism.link("coupler").unwrap();
+        let corner = (4.0_f64 / 3.0).atan();
+        for (dimension, expected) in [
+            (Dimension::Side(coupler, [1, 2]), [2.0, 8.0]),
+            (Dimension::Side(coupler, [0, 2]), [0.25, 10.0]),
+            (Dimension::Length(coupler), [0.15, 6.0]),
+            (Dimension::Corner(coupler, 2), [corner - 0.5, corner + 0.5]),
+        ] {
+            let found = mechanism.range(dimension).unwrap();
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-14, "{dimension:?}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn whole_turns_of_a_corner_are_dropped() {
+        let mechanism = mechanism();
+        let coupler = mechanism.link("coupler").unwrap();
+        let found = mechanism.nearest(Dimension::Corner(coupler, 2), 1.0 - std::f64::consts::TAU);
+        assert!((found - 1.0).abs() < 1e-15, "{found}");
+        assert_eq!(mechanism.nearest(Dimension::Length(coupler), 9.0), 9.0);
+    }
+}

@@ -230,3 +230,48 @@ impl Mechanism {
         self.layout.period_turns.map(|_| TAU * turns as f64)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 20/60 = 1/3, and −5/2 of a turn returns after two turns.
+    #[test]
+    fn denominators_of_ratios_of_teeth() {
+        for (ratio, expected) in [
+            (20.0 / 60.0, Some(3)),
+            (-2.5, Some(2)),
+            (7.0, Some(1)),
+            (0.0, Some(1)),
+            (36.0 / 37.0 * 23.0 / 41.0, Some(37 * 41)),
+        ] {
+            assert_eq!(denominator(ratio), expected, "{ratio}");
+        }
+    }
+
+    #[test]
+    fn wheels_return_together_after_the_least_common_multiple() {
+        for (a, b, expected) in [
+            (4, 6, Some(12)),
+            (1, 5, Some(5)),
+            (9, 9, Some(9)),
+            (999_983, 999_979, None),
+        ] {
+            assert_eq!(common(a, b), expected);
+        }
+    }
+
+    /// A driver at half the speed returns after two turns, at a third after three.
+    #[test]
+    fn a_rate_is_whole_after_as_many_turns_as_its_denominator() {
+        for (rate, turns, expected) in [
+            (0.5, 2, true),
+            (0.5, 3, false),
+            (-1.0 / 3.0, 3, true),
+            (1.0 / 3.0, 2, false),
+            (0.333, 3, false),
+        ] {
+            assert_eq!(is_whole(rate, turns), expected, "{rate} {turns}");
+        }
+    }
+}

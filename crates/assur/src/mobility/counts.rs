@@ -116,4 +116,37 @@ pub(super) mod tests {
             (3, Some(3))
         );
     }
+
+    /// Spatial four-bars with 6·3 − 17 = 1: RSCR with 5 + 3 + 4 + 5 constraints, RCCC with 5 + 4 + 4 + 4, RSUR with
+    /// 5 + 3 + 4 + 5. A contour of seven hinges has 6·6 − 7·5, one of four 6·3 − 4·5.
+    #[test]
+    fn contours_in_space_by_somov_and_malyshev() {
+        use PairKind::{Cylindrical, Revolute, Spherical, Universal};
+        for (kinds, spatial) in [
+            (&[Revolute, Spherical, Cylindrical, Revolute][..], 1),
+            (&[Revolute, Cylindrical, Cylindrical, Cylindrical], 1),
+            (&[Revolute, Spherical, Universal, Revolute], 1),
+            (&[Revolute; 7], 1),
+            (&[Revolute; 4], -2),
+        ] {
+            let counts = contour(false, kinds).counts();
+            assert_eq!(
+                (counts.planar, counts.spatial),
+                (None, spatial),
+                "{kinds:?}"
+            );
+            assert_eq!(counts.mobility(), spatial);
+        }
+    }
+
+    /// A contour of n hinges has n − 3 freedoms in the plane and, by the count, three fewer in space.
+    #[test]
+    fn each_planar_loop_of_hinges_has_three_redundant_constraints() {
+        for (count, mobility) in [(4, 1), (5, 2), (6, 3)] {
+            let counts = contour(true, &vec![PairKind::Revolute; count]).counts();
+            assert_eq!(counts.planar, Some(mobility));
+            assert_eq!(counts.redundant(mobility), 3);
+            assert_eq!(counts.redundant_by_plane(), Some(3));
+        }
+    }
 }

@@ -148,3 +148,91 @@ impl Scheme {
         names.collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::mobility::{PairSpec, Point3, SchemeSpec, Vector3};
+
+    /// Hinges about z between links at places of the plane.
+    fn hinges(planar: bool, pairs: &[([usize; 2], [f64; 2])]) -> Scheme {
+        let pairs = pairs
+            .iter()
+            .enumerate()
+            .map(|(at, (links, [x, y]))| PairSpec {
+                name: format!("P{at}"),
+                kind: PairKind::Revolute,
+                links: links.map(|link| link.to_string()).to_vec(),
+                place: Some(Point3::new(*x, *y, 0.0)),
+                axis: Some(Vector3::z()),
+                second: None,
+            });
+        let spec = SchemeSpec {
+            ground: "0".to_owned(),
+            planar,
+            pairs: pairs.collect(),
+        };
+        Scheme::new(&spec).unwrap()
+    }
+
+    const FOUR_BAR: [([usize; 2], [f64; 2]); 4] = [
+        ([0, 1], [0.0, 0.0]),
+        ([1, 2], [1.0, 2.0]),
+        ([2, 3], [4.0, 3.0]),
+        ([3, 0], [5.0, 0.0]),
+    ];
+
+    /// Freedoms less independent constraints: a triangle 6 − 6, a four-bar 9 − 8, and in space 18 − 17 with 3 of its 20
+    /// constraints redundant.
+    #[test]
+    fn mobility_is_freedoms_less_the_rank() {
+        for (pairs, planar, space, mobility, rank, redundant) in [
+            (
+                &[
+                    ([0, 1], [0.0, 0.0]),
+                    ([1, 2], [3.0, 0.0]),
+                    ([2, 0], [3.0, 4.0]),
+                ][..],
+                true,
+                Space::Plane,
+                0,
+                6,
+                0,
+            ),
+            (&FOUR_BAR, true, Space::Plane, 1, 8, 0),
+            (&FOUR_BAR, false, Space::Whole, 1, 17, 3),
+        ] {
+            let report = hinges(planar, pairs).rank_report(space).unwrap();
+            assert_eq!(
+                (report.mobility, report.rank),
+                (mobility, rank),
+                "{space:?}"
+            );
+            let found: usize = report.redundancies.iter().map(|one| one.count).sum();
+            assert_eq!(found, redundant, "{space:?}");
+        }
+    }
+
+    /// Three hinges in line hold a triangle twice along the line, and not across it: it moves for an instant.
+    #[test]
+    fn a_flat_triangle_moves_for_an_instant() {
+        let flat = [
+            ([0, 1], [0.0, 0.0]),
+            ([1, 2], [1.0, 0.0]),
+            ([2, 0], [3.0, 0.0]),
+        ];
+        let report = hinges(true, &flat).rank_report(Space::Plane).unwrap();
+        assert_eq!((report.mobility, report.rank), (1, 5));
+        let [part] = &report.redundancies[..] else {
+            panic!("not one part")
+        };
+        assert_eq!((part.count, &part.pairs[..]), (1, &[0, 1, 2][..]));
+    }
+
+    #[test]
+    fn a_spatial_scheme_has_no_rank_in_the_plane() {
+        let found = hinges(false, &FOUR_BAR).rank_report(Space::Plane);
+        assert_eq!(found, Err(NoRank::NotPlanar));
+    }
+}

@@ -188,4 +188,54 @@ mod tests {
             );
         }
     }
+
+    /// A hinge at (3, 0, 0) about z: at unit speed the point of the body at the origin moves at −3 along y. A screw
+    /// with the pitch 2π also moves at 1 along z.
+    #[test]
+    fn a_twist_has_the_velocity_of_the_point_at_the_origin() {
+        let place = Vector3::new(3.0, 0.0, 0.0);
+        for (kind, along) in [
+            (PairKind::Revolute, 0.0),
+            (PairKind::Screw { pitch: TAU }, 1.0),
+            (PairKind::Screw { pitch: -TAU }, -1.0),
+        ] {
+            let form = Form::new(kind, place, Vector3::z(), None);
+            let expected = Screw::new(0.0, 0.0, 1.0, 0.0, -3.0, along);
+            assert_eq!(form.freedoms(), [expected], "{kind:?}");
+        }
+    }
+
+    /// In the plane z = 0 a hinge and a slide hold two freedoms, a contact with its line along z one, and a plane none.
+    #[test]
+    fn constraints_of_pairs_in_the_plane() {
+        let (x, z) = (Vector3::x(), Vector3::z());
+        for (kind, axis, second, count) in [
+            (PairKind::Revolute, z, None, 2),
+            (PairKind::Cylindrical, z, None, 2),
+            (PairKind::Prismatic, x, None, 2),
+            (PairKind::CylinderOnPlane, x, Some(z), 1),
+            (PairKind::SphereOnPlane, x, None, 1),
+            (PairKind::Planar, z, None, 0),
+        ] {
+            let form = Form::new(kind, Vector3::new(1.0, 2.0, 0.0), axis, second);
+            assert_eq!(form.constraints_in_plane().len(), count, "{kind:?}");
+        }
+    }
+
+    /// Three hinges with parallel axes in one plane have only two independent twists; a fourth beside it makes three.
+    #[test]
+    fn parallel_axes_in_a_plane_have_two_independent_twists() {
+        let hinge = |x: f64, y: f64| {
+            Form::new(
+                PairKind::Revolute,
+                Vector3::new(x, y, 0.0),
+                Vector3::z(),
+                None,
+            )
+            .freedoms()[0]
+        };
+        let flat = [hinge(0.0, 0.0), hinge(0.5, 0.0), hinge(1.0, 0.0)];
+        assert_eq!(basis(flat.into_iter()).len(), 2);
+        assert_eq!(basis(flat.into_iter().chain([hinge(0.5, 0.5)])).len(), 3);
+    }
 }

@@ -299,4 +299,29 @@ mod tests {
         let closed = four_bar.sections(&[]);
         assert!(matches!(closed, Err(CutError::StillClosed { pairs }) if pairs.len() == 4));
     }
+
+    /// A contour of n hinges opened at one has n − 1 freedoms less 2 constraints in the plane, whatever n.
+    #[test]
+    fn a_contour_loses_a_hinge_and_its_constraints() {
+        for count in 4..8_usize {
+            let contour = contour(true, &vec![PairKind::Revolute; count]);
+            let sections = contour.sections(&contour.automatic()).unwrap();
+            assert_eq!([sections.open, sections.removed], [count - 1, 2]);
+            assert_eq!(sections.mobility, count as isize - 3);
+            assert_eq!(sections.redundant, 3);
+            assert_eq!(sections.loops[0].pairs.len(), count);
+        }
+    }
+
+    /// Seven hinges in space: 6 freedoms less 5 constraints, and Σ i·P_i − λ = 7 − 6. Four of them: 3 − 5.
+    #[test]
+    fn seven_hinges_close_in_space_with_one_freedom() {
+        for (count, mobility) in [(7, 1), (4, -2)] {
+            let contour = contour(false, &vec![PairKind::Revolute; count]);
+            let sections = contour.sections(&contour.automatic()).unwrap();
+            assert_eq!([sections.open, sections.removed], [count - 1, 5]);
+            assert_eq!([sections.mobility, sections.by_loops()], [mobility; 2]);
+            assert_eq!(sections.redundant, 0);
+        }
+    }
 }

@@ -43,3 +43,44 @@ impl InputRate {
         (0..order).map(|_| self.speed).product()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// q = 2, q′ = 3, q″ = 4, q‴ = 5 at ω₁ = 10 and ε₁ = 7: q′ω₁ = 30, q″ω₁² + q′ε₁ = 400 + 21.
+    #[test]
+    fn rates_by_the_chain_rule() {
+        let q = Jet::<4>::of_derivatives([2.0, 3.0, 4.0, 5.0]);
+        let rate = InputRate {
+            speed: 10.0,
+            acceleration: 7.0,
+        };
+        assert_eq!(rate.rates(&q, 0), [2.0, 3.0, 4.0]);
+        assert_eq!(rate.rates(&q, 1), [30.0, 40.0, 50.0]);
+        // Its derivative by the crank angle is q‴ω₁² + q″ε₁; derivatives beyond the third count as zero.
+        assert_eq!(rate.rates(&q, 2), [421.0, 528.0, 35.0]);
+        assert_eq!(rate.rate(&q, 2), 421.0);
+    }
+
+    /// A crank that turns backwards reverses velocities, not accelerations.
+    #[test]
+    fn a_reversed_crank_keeps_accelerations() {
+        let q = Jet::<3>::of_derivatives([2.0, 3.0, 4.0]);
+        let [forwards, backwards] = [1.0, -1.0].map(|speed| InputRate {
+            speed,
+            acceleration: 0.0,
+        });
+        assert_eq!(forwards.rate(&q, 1), -backwards.rate(&q, 1));
+        assert_eq!(forwards.rate(&q, 2), backwards.rate(&q, 2));
+    }
+
+    #[test]
+    fn at_one_radian_per_unit_of_time_rates_are_analogues() {
+        let q = Jet::<5>::of_derivatives([2.0, 3.0, 4.0, 5.0, 6.0]);
+        for order in 0..3 {
+            let expected = [0, 1, 2].map(|further| q.derivative(order + further));
+            assert_eq!(InputRate::ANALOGUES.rates(&q, order), expected);
+        }
+    }
+}

@@ -52,4 +52,33 @@ mod tests {
         assert_eq!(representatives, [0, 0, 2, 3, 2, 2]);
         assert!(parts.joins(2, 5) && !parts.joins(1, 3));
     }
+
+    /// A square with one diagonal has 5 edges on 4 corners: 3 of them join sets, and each of the others closes a loop.
+    #[test]
+    fn an_edge_joins_two_sets_or_closes_a_loop() {
+        let edges = [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]];
+        let mut parts = Partition::new(4);
+        assert_eq!(
+            edges.map(|edge| parts.join(edge)),
+            [true, true, true, false, false]
+        );
+    }
+
+    /// Two chains, 5-4-3 and 2-1-0, then the edge between their ends. The order of the edges does not matter.
+    #[test]
+    fn the_least_member_represents_a_set_in_any_order() {
+        for edges in [
+            [[5, 4], [4, 3], [2, 1], [1, 0]],
+            [[1, 0], [4, 3], [2, 1], [5, 4]],
+        ] {
+            let mut parts = Partition::new(6);
+            edges.into_iter().for_each(|edge| {
+                parts.join(edge);
+            });
+            let representatives: Vec<usize> = (0..6).map(|k| parts.representative(k)).collect();
+            assert_eq!(representatives, [0, 0, 0, 3, 3, 3]);
+            assert!(parts.join([5, 2]) && parts.joins(0, 3));
+            assert_eq!(parts.representative(5), 0);
+        }
+    }
 }

@@ -94,4 +94,24 @@ mod tests {
         };
         assert!(newton(MAX_STEPS, step, is_exact).is_err());
     }
+
+    /// At the double root of x² a step halves x: after twelve steps from 1 the last step is 2⁻¹².
+    #[test]
+    fn a_double_root_is_approached_only_by_halves() {
+        let mut x = 1.0_f64;
+        let halve = || {
+            let step = x * x / (2.0 * x);
+            x -= step;
+            Some(step)
+        };
+        assert_eq!(newton(MAX_STEPS, halve, is_exact), Err(0.5_f64.powi(12)));
+    }
+
+    /// Steps of 10⁻³ and 10⁻⁶ predict 10⁻¹²; steps of 10⁻⁴ and 10⁻⁹ predict 10⁻¹⁹, less than rounding.
+    #[test]
+    fn the_next_step_is_predicted_by_quadratic_convergence() {
+        assert!(!is_exact(1e-6, 1e-3));
+        assert!(is_exact(1e-9, 1e-4));
+        assert!(!is_exact(1e-9, f64::INFINITY));
+    }
 }

@@ -91,4 +91,51 @@ mod tests {
         assert!(positive_roots(&[1.0, 0.0, 1.0]).is_empty());
         assert!(positive_roots(&[0.0; 4]).is_empty());
     }
+
+    /// The golden ratio from x² = x + 1; cos 30° from Chebyshev's T₃ = 4x³ − 3x, cos 67.5° and cos 22.5° from
+    /// T₄ = 8x⁴ − 8x² + 1.
+    #[test]
+    fn roots_of_textbook_polynomials() {
+        let cosine = |degrees: f64| degrees.to_radians().cos();
+        for (coefficients, expected) in [
+            (&[-1.0, -1.0, 1.0][..], vec![0.5 * (1.0 + 5_f64.sqrt())]),
+            (&[0.0, -3.0, 0.0, 4.0], vec![cosine(30.0)]),
+            (
+                &[1.0, 0.0, -8.0, 0.0, 8.0],
+                vec![cosine(67.5), cosine(22.5)],
+            ),
+            (&[-6.0, 2.0], vec![3.0]),
+            (&[2.0, 3.0, 1.0], vec![]),
+        ] {
+            let found = positive_roots(coefficients);
+            assert_eq!(found.len(), expected.len(), "{coefficients:?}: {found:?}");
+            for (x, expected) in found.iter().zip(expected) {
+                assert!((x - expected).abs() < 1e-15, "{coefficients:?}: {found:?}");
+            }
+        }
+    }
+
+    /// (x − y)(x − 2y), (2x − y)(x + y) and x y: each factor vanishes in one direction. x² + y² vanishes in none.
+    #[test]
+    fn directions_of_linear_factors() {
+        for (coefficients, expected) in [
+            ([1.0, -3.0, 2.0], vec![[1.0, 0.5], [1.0, 1.0]]),
+            ([2.0, 1.0, -1.0], vec![[1.0, -1.0], [0.5, 1.0]]),
+            ([0.0, 1.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]]),
+            ([1.0, 0.0, 1.0], vec![]),
+        ] {
+            let found = directions(&coefficients);
+            assert_eq!(found.len(), expected.len(), "{coefficients:?}: {found:?}");
+            for ([x, y], expected) in found.into_iter().zip(expected) {
+                assert!((x - expected[0]).abs() < 1e-15 && (y - expected[1]).abs() < 1e-15);
+            }
+        }
+    }
+
+    /// 1 + 2x + 3x² at 2 is 1 + 4 + 12.
+    #[test]
+    fn the_value_of_a_polynomial() {
+        assert_eq!(value(&[1.0, 2.0, 3.0], 2.0), 17.0);
+        assert_eq!(value(&[], 2.0), 0.0);
+    }
 }

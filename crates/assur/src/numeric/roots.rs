@@ -57,8 +57,9 @@ pub(crate) fn bisect([mut low, mut high]: [f64; 2], mut holds: impl FnMut(f64) -
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
+    use std::f64::consts::PI;
 
-    use super::root;
+    use super::{bisect, root};
 
     /// Steep, flat and multiple roots are found; simple roots take few evaluations.
     #[test]
@@ -86,5 +87,29 @@ mod tests {
             );
         }
         assert_eq!(root([[0.0, -1.0], [1.0, 1.0]], |_| None), None);
+    }
+
+    /// Kepler's equation E − e sin E = M. With E = 90° and 30°: M = π/2 − e and π/6 − e/2.
+    #[test]
+    fn keplers_equation_at_simple_angles() {
+        for eccentricity in [0.0, 0.5, 0.9] {
+            for (anomaly, sine) in [(PI / 2.0, 1.0), (PI / 6.0, 0.5), (5.0 * PI / 6.0, 0.5)] {
+                let mean = anomaly - eccentricity * sine;
+                let f = |e: f64| e - eccentricity * e.sin() - mean;
+                let found = root([0.0, PI].map(|e| [e, f(e)]), |e| Some(f(e))).unwrap();
+                assert!((found - anomaly).abs() < 2e-15, "{eccentricity}: {found}");
+            }
+        }
+    }
+
+    /// The greatest double whose square is at most 2 lies next to one whose square is greater.
+    #[test]
+    fn bisection_ends_at_neighbouring_doubles() {
+        let found = bisect([0.0, 2.0], |x| x * x <= 2.0);
+        assert!(found * found <= 2.0 && found.next_up() * found.next_up() > 2.0);
+        assert!((found - 2f64.sqrt()).abs() < 3e-16);
+        // From above: the least double whose square is at least 2.
+        let found = bisect([2.0, 0.0], |x| x * x >= 2.0);
+        assert!(found * found >= 2.0 && found.next_down() * found.next_down() < 2.0);
     }
 }

@@ -128,3 +128,83 @@ impl Mechanism {
         drawn::polygon(self, pose, order, input)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linkage::LinkageSpec;
+    use crate::motion::Motion;
+
+    /// A slider-crank with crank 3 and rod 5 and the crank upright: x = 3 cos φ + √(25 − 9 sin² φ), x′ = −3, x″ = 9/4.
+    fn points(order: Order, input: InputRate) -> [Vector; 2] {
+        let spec = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 3.0)
+            .point("C", 4.0, 0.0)
+            .point("E", 9.0, 0.0)
+            .fixed(&["A", "E"])
+            .bar("crank", &["A", "B"])
+            .bar("rod", &["B", "C"])
+            .bar("slider", &["C"])
+            .slide("slider", "C", "frame", ["A", "E"])
+            .crank("crank");
+        let motion = Motion::new(Mechanism::new(&spec).unwrap());
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<3>(90_f64.to_radians()).unwrap();
+        let polygon = mechanism.polygon(&pose, order, input);
+        let mut legs = polygon.stages.iter().flat_map(|stage| &stage.routes);
+        // Every route leads from a point to the target by its legs.
+        assert!(legs.all(|route| {
+            route
+                .legs
+                .windows(2)
+                .all(|pair| pair[0].ends[1] == pair[1].ends[0])
+        }));
+        ["B", "C"].map(|name| {
+            let point = mechanism.point(name).unwrap();
+            let node = Node { point, on: None };
+            let mut nodes = polygon.stages.iter().flat_map(|stage| &stage.nodes);
+            nodes.find(|(found, _)| *found == node).unwrap().1
+        })
+    }
+
+    fn check(found: [Vector; 2], expected: [[f64; 2]; 2]) {
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!(
+                (found - Vector::from(expected)).norm() < 1e-12,
+                "{found}, not {expected:?}"
+            );
+        }
+    }
+
+    /// The rod translates for an instant: B and C have one velocity.
+    #[test]
+    fn velocities_of_a_rod_that_translates_are_equal() {
+        check(
+            points(Order::Velocity, InputRate::ANALOGUES),
+            [[-3.0, 0.0]; 2],
+        );
+    }
+
+    /// aⁿ of B is 3 towards A. With ω = 0 of the rod, a_CB = (9/4, 3) is at a right angle to the rod (4, −3).
+    #[test]
+    fn accelerations_with_the_crank_upright() {
+        let found = points(Order::Acceleration, InputRate::ANALOGUES);
+        check(found, [[0.0, -3.0], [2.25, 0.0]]);
+        assert!((found[1] - found[0]).dot(&Vector::new(4.0, -3.0)).abs() < 1e-13);
+    }
+
+    /// At ω₁ = 10 and ε₁ = 7 velocities are ten times as large, and accelerations 100 x″ + 7 x′.
+    #[test]
+    fn speed_and_acceleration_of_the_input_scale_the_polygons() {
+        let input = InputRate {
+            speed: 10.0,
+            acceleration: 7.0,
+        };
+        check(points(Order::Velocity, input), [[-30.0, 0.0]; 2]);
+        check(
+            points(Order::Acceleration, input),
+            [[-21.0, -300.0], [204.0, 0.0]],
+        );
+    }
+}

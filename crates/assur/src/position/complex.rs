@@ -194,4 +194,55 @@ mod tests {
             assert!((found - Vector::from(expected)).norm() < 1e-15, "{found}");
         }
     }
+
+    /// e^(iθ) e^(iθ) = e^(2iθ), with all derivatives.
+    #[test]
+    fn the_square_of_a_rotation_is_the_rotation_through_twice_the_angle() {
+        let turn = Complex::turn(Jet::<4>::linear(0.3, 1.0));
+        let twice = Complex::turn(Jet::<4>::linear(0.6, 2.0));
+        for order in 0..4 {
+            assert!(
+                ((turn * turn)[order] - twice[order]).norm() < 1e-15,
+                "{order}"
+            );
+            // e^(iθ) e^(−iθ) = 1.
+            let one = Vector::new(if order == 0 { 1.0 } else { 0.0 }, 0.0);
+            assert!(
+                ((turn * turn.conjugate())[order] - one).norm() < 1e-15,
+                "{order}"
+            );
+        }
+    }
+
+    /// The vector (3, 4) of length 5, growing at 10 along itself and moving at 5 across: its direction (0.6, 0.8) turns
+    /// at 1.
+    #[test]
+    fn only_the_velocity_across_turns_a_direction() {
+        let mut v = Complex::<2>::constant(Vector::new(3.0, 4.0));
+        v[1] = Vector::new(6.0, 8.0) + Vector::new(-4.0, 3.0);
+        let unit = v.unit();
+        assert!((unit[0] - Vector::new(0.6, 0.8)).norm() < 1e-15);
+        assert!((unit[1] - Vector::new(-0.8, 0.6)).norm() < 1e-14);
+        assert_eq!(
+            [0, 1].map(|order| v.norm_squared().derivative(order)),
+            [25.0, 100.0]
+        );
+        assert_eq!(v.left()[0], Vector::new(-4.0, 3.0));
+    }
+
+    /// A vector of length 5 at (3, 4) whose abscissa is that of uniform rotation, 3 cos t − 4 sin t, has its ordinate
+    /// too.
+    #[test]
+    fn a_vector_of_constant_length_follows_from_its_projection() {
+        let abscissa = Jet::<4>::of_derivatives([3.0, -4.0, -3.0, 4.0]);
+        let axis = Complex::constant(Vector::x());
+        let found = Complex::of_constant_length(Vector::new(3.0, 4.0), axis, abscissa);
+        for (order, expected) in [4.0, 3.0, -4.0, -3.0].into_iter().enumerate() {
+            assert!(
+                (found.y().derivative(order) - expected).abs() < 1e-14,
+                "{found:?}"
+            );
+            assert!((found.x().derivative(order) - abscissa.derivative(order)).abs() < 1e-14);
+        }
+    }
 }

@@ -50,3 +50,47 @@ impl Solvable for Crank {
         false
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::index::Id;
+    use crate::position::dyads::tests::{at, place};
+    use crate::position::{Sign, Step};
+
+    /// A second crank on the end (0, 1) of the first, at 90°. Its own end is 1 from this hinge.
+    fn end(rate: f64) -> [[f64; 2]; 3] {
+        let crank = Crank {
+            body: BodyId::at(2),
+            at: at(1, 1.0, 0.0),
+            hinge: Vector::zeros(),
+            joint: PointId::at(0),
+            angle_offset: 0.0,
+            law: DriveLaw { rate, offset: 0.0 },
+        };
+        place(&Step::from(crank), Sign::Plus, at(2, 1.0, 0.0))
+    }
+
+    fn check(found: [[f64; 2]; 3], expected: [[f64; 2]; 3]) {
+        let mut both = found.as_flattened().iter().zip(expected.as_flattened());
+        assert!(both.all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+    }
+
+    /// Turning forwards by as much, the second crank is at 180° and turns at 2: v = (−1, 0) + 2·(0, −1).
+    #[test]
+    fn angular_velocities_of_cranks_on_cranks_add_up() {
+        check(end(1.0), [[-1.0, 1.0], [-1.0, -2.0], [4.0, -1.0]]);
+    }
+
+    /// Turning backwards by as much, the second crank keeps its direction and only translates with the hinge.
+    #[test]
+    fn a_crank_that_turns_back_on_a_crank_translates() {
+        check(end(-1.0), [[1.0, 1.0], [-1.0, 0.0], [0.0, -1.0]]);
+    }
+
+    /// Fixed to the first crank in its direction, the two are one crank of length 2.
+    #[test]
+    fn a_crank_at_rest_on_a_crank_is_one_body_with_it() {
+        check(end(0.0), [[0.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);
+    }
+}

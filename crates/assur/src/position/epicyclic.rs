@@ -77,3 +77,57 @@ impl Solvable for EpicyclicStep {
         false
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::index::Id;
+    use crate::position::dyads::tests::{at, place};
+    use crate::position::{Sign, Step};
+
+    /// A wheel on the end (0, 2) of the crank at 90°, with the crank as its carrier; a point 1 from its centre. `ratio`
+    /// is the speed of the wheel relative to that of the crank.
+    fn on_wheel(ratio: f64) -> [[f64; 2]; 3] {
+        let member = Member {
+            body: BodyId::at(2),
+            at: at(1, 2.0, 0.0),
+            hinge: Vector::zeros(),
+            joint: PointId::at(0),
+            ratios: vec![(BodyId::at(1), ratio)],
+            shift: 0.0,
+        };
+        let members = vec![member];
+        place(
+            &Step::from(EpicyclicStep { members }),
+            Sign::Plus,
+            at(2, 1.0, 0.0),
+        )
+    }
+
+    fn check(ratio: f64, expected: [[f64; 2]; 3]) {
+        let found = on_wheel(ratio);
+        let mut both = found.as_flattened().iter().zip(expected.as_flattened());
+        assert!(
+            both.all(|(a, b)| (a - b).abs() < 1e-14),
+            "{ratio}: {found:?}"
+        );
+    }
+
+    /// A satellite on an equal sun that is held turns at 2: it is at 180°, and v = (−2, 0) + 2·(0, −1).
+    #[test]
+    fn a_satellite_on_an_equal_sun_turns_twice_as_fast_as_its_carrier() {
+        check(2.0, [[-1.0, 2.0], [-2.0, -2.0], [4.0, -2.0]]);
+    }
+
+    /// Inside a held ring of three times its size it turns at 1 − 3 = −2 and is at −180°, and v = (−2, 0) − 2·(0, −1).
+    #[test]
+    fn a_satellite_in_a_ring_of_three_times_its_size_turns_back_twice() {
+        check(-2.0, [[-1.0, 2.0], [-2.0, 2.0], [4.0, -2.0]]);
+    }
+
+    /// Behind an idler, as large as the held sun, it translates (Ferguson's paradox).
+    #[test]
+    fn a_wheel_behind_an_idler_translates() {
+        check(0.0, [[1.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);
+    }
+}

@@ -48,3 +48,74 @@ pub(crate) fn crossing<const N: usize>(
     let along = (q - p).dot(v.left()) * -sine.recip();
     Ok(p + u.scaled(along))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Vector;
+
+    /// √9 with the derivative 12/(2·3). Within rounding of zero the root is zero; its derivatives would be unbounded.
+    #[test]
+    fn a_margin_has_a_root_unless_it_is_negative() {
+        let found = root(Jet::<2>::linear(9.0, 12.0), 1.0).ok().unwrap();
+        assert_eq!([found.value(), found.derivative(1)], [3.0, 2.0]);
+        for rounding in [1e-16, 0.0, -1e-16] {
+            assert_eq!(
+                root(Jet::<1>::constant(rounding), 1.0).ok(),
+                Some(Jet::constant(0.0))
+            );
+            assert!(matches!(
+                root(Jet::<2>::constant(rounding), 1.0),
+                Err(Dead::At)
+            ));
+        }
+        assert!(matches!(
+            root(Jet::<1>::constant(-1.0), 1.0),
+            Err(Dead::Beyond)
+        ));
+        // Relative to squared lengths of 10¹⁶, a difference of 1 is rounding.
+        assert!(matches!(
+            root(Jet::<2>::constant(-1.0), 1e16),
+            Err(Dead::At)
+        ));
+    }
+
+    /// The x-axis and the line from (4, 4) in the direction (3, 4)/5 meet in (1, 0); the sine between them is 4/5. If
+    /// the second line moves along x at 2, so does the point; if it moves along y at 4, the point moves at −3 along x.
+    #[test]
+    fn two_lines_meet_and_their_crossing_moves_with_them() {
+        let axis = (
+            Complex::constant(Vector::zeros()),
+            Complex::constant(Vector::x()),
+        );
+        let direction = Complex::constant(Vector::new(0.6, 0.8));
+        for (velocity, expected) in [([2.0, 0.0], 2.0), ([0.0, 4.0], -3.0), ([3.0, 4.0], 0.0)] {
+            let mut place = Complex::<2>::constant(Vector::new(4.0, 4.0));
+            place[1] = Vector::from(velocity);
+            let mut margin = [Jet::constant(0.0); 2];
+            let found = crossing([axis, (place, direction)], &mut margin)
+                .ok()
+                .unwrap();
+            assert!((found[0] - Vector::x()).norm() < 1e-15, "{found:?}");
+            assert!(
+                (found[1] - Vector::new(expected, 0.0)).norm() < 1e-15,
+                "{found:?}"
+            );
+            assert!((margin[0].value() - 0.64).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn parallel_lines_do_not_meet() {
+        let line = |y: f64, along: f64| {
+            let place = Complex::<2>::constant(Vector::new(0.0, y));
+            (place, Complex::constant(Vector::new(along, 0.0)))
+        };
+        for along in [1.0, -1.0] {
+            let mut margin = [Jet::constant(1.0); 2];
+            let met = crossing([line(0.0, 1.0), line(1.0, along)], &mut margin);
+            assert!(matches!(met, Err(Cause::Parallel)));
+            assert_eq!(margin[0].value(), 0.0);
+        }
+    }
+}

@@ -58,3 +58,59 @@ impl Solvable for Slider {
         self.track.line.body == body
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::position::dyads::tests::{at, place, track};
+    use crate::position::{Sign, Step};
+
+    fn slider(line: usize, law: DriveLaw, offset: f64) -> Slider {
+        let mut track = track(2, at(line, 0.0, 0.0));
+        track.offset = offset;
+        Slider {
+            track,
+            range: [-10.0, 10.0],
+            law,
+        }
+    }
+
+    fn check(slider: Slider, expected: [[f64; 2]; 3]) {
+        let found = place(&Step::from(slider), Sign::Plus, at(2, 0.0, 0.0));
+        let mut both = found.as_flattened().iter().zip(expected.as_flattened());
+        assert!(both.all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+    }
+
+    /// Archimedes' spiral: on a line that turns with the crank, at the distance φ from the pivot. At 90°: the
+    /// acceleration is −φ along the line and Coriolis's 2·1·1 across it.
+    #[test]
+    fn a_slide_on_a_turning_line_has_coriolis_acceleration() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let expected = [[0.0, quarter], [-quarter, 1.0], [-2.0, -quarter]];
+        check(slider(1, DriveLaw::FIRST, 0.0), expected);
+    }
+
+    /// On the frame at twice the input, 3 to the left of the line.
+    #[test]
+    fn a_slide_on_the_frame_moves_straight() {
+        let law = DriveLaw::through(2.0, [0.0, -1.0]);
+        let coordinate = std::f64::consts::PI - 1.0;
+        check(
+            slider(0, law, 3.0),
+            [[coordinate, 3.0], [2.0, 0.0], [0.0, 0.0]],
+        );
+    }
+
+    /// Through the coordinate 5 at the input 1, at the rate −2: 1 at the input 3.
+    #[test]
+    fn the_law_of_a_drive_is_linear() {
+        let law = DriveLaw::through(-2.0, [1.0, 5.0]);
+        let at = law.at(Jet::<3>::linear(3.0, 1.0));
+        assert_eq!(
+            [0, 1, 2].map(|order| at.derivative(order)),
+            [1.0, -2.0, 0.0]
+        );
+        let back = law.reversed().at(Jet::<2>::linear(3.0, 1.0));
+        assert_eq!([0, 1].map(|order| back.derivative(order)), [-1.0, 2.0]);
+    }
+}

@@ -170,4 +170,39 @@ mod tests {
             );
         }
     }
+
+    /// The root of (x − 2)² is x − 2 or, with the other sign, 2 − x. It is used up to half of the distance of the
+    /// nodes.
+    #[test]
+    fn the_root_keeps_its_sign_after_the_change_point() {
+        let square = |x: f64| Jet::linear(x - 2.0, 1.0).square();
+        for sign in [1.0, -1.0] {
+            let nodes = [1.5, 2.0, 2.5].map(square);
+            let root = SmoothRoot::new((StepId::FIRST, sign), [2.0, 0.5], nodes);
+            for x in [1.8, 2.0, 2.1] {
+                let found = root.at(Jet::<3>::linear(x, 1.0));
+                assert!(
+                    (found.value() - sign * (x - 2.0)).abs() < 1e-15,
+                    "{found:?}"
+                );
+                assert!((found.derivative(1) - sign).abs() < 1e-14, "{found:?}");
+                assert!(found.derivative(2).abs() < 1e-13, "{found:?}");
+            }
+            assert!(root.covers(2.25) && !root.covers(2.26));
+            let shifted = root.shifted(1.0);
+            assert!(shifted.covers(3.25) && !shifted.covers(2.25));
+            assert!((shifted.at(Jet::<1>::constant(3.1)).value() - sign * 0.1).abs() < 1e-15);
+        }
+    }
+
+    /// Beside the change point four terms of the series suffice: x(1 + x) has two.
+    #[test]
+    fn a_series_at_the_change_point_alone() {
+        let x = Jet::linear(0.0, 1.0);
+        let root = SmoothRoot::beside((StepId::FIRST, -1.0), [0.0, 0.5], (x * (x + 1.0)).square());
+        for (input, value) in [(0.01, -0.0101), (-0.01, 0.0099), (0.0, 0.0)] {
+            let found = root.at(Jet::<1>::constant(input)).value();
+            assert!((found - value).abs() < 1e-16, "{found}");
+        }
+    }
 }

@@ -221,3 +221,61 @@ impl<const N: usize> State<N> {
         self.bodies[body].angle = Angle::Known(angle);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+    fn cis(angle: f64) -> Vector {
+        Vector::new(angle.cos(), angle.sin())
+    }
+
+    /// From 170° to the turn of −170°, 20° on: 190°. From there on in steps of less than half a turn the angle grows.
+    #[test]
+    fn an_angle_continues_beyond_half_a_turn() {
+        let [from, to] = [170_f64, -170.0].map(f64::to_radians);
+        let start = Orientation {
+            angle: from,
+            turn: cis(from),
+        };
+        let next = start.turned_to(cis(to));
+        assert!(
+            (next.angle - 190_f64.to_radians()).abs() < 1e-14,
+            "{next:?}"
+        );
+        assert!((next.turned_to(cis(from)).angle - from).abs() < 1e-14);
+    }
+
+    #[test]
+    fn steps_of_a_quarter_turn_count_whole_turns() {
+        let mut forwards = Orientation {
+            angle: 0.0,
+            turn: Vector::x(),
+        };
+        let mut backwards = forwards;
+        for step in 1..=40 {
+            forwards = forwards.turned_to(cis(f64::from(step) * FRAC_PI_2));
+            backwards = backwards.turned_to(cis(f64::from(-step) * FRAC_PI_2));
+        }
+        assert!((forwards.angle - 10.0 * TAU).abs() < 1e-12, "{forwards:?}");
+        assert!(
+            (backwards.angle + 10.0 * TAU).abs() < 1e-12,
+            "{backwards:?}"
+        );
+    }
+
+    /// Whole turns of the start are kept: 5 turns and 0°, then 90° back.
+    #[test]
+    fn whole_turns_of_the_nearby_pose_are_kept() {
+        let start = Orientation {
+            angle: 5.0 * TAU,
+            turn: Vector::x(),
+        };
+        let found = start.turned_to(-Vector::y()).angle;
+        assert!((found - (5.0 * TAU - FRAC_PI_2)).abs() < 1e-14);
+        let found = start.turned_to(cis(0.9 * PI)).angle;
+        assert!((found - (5.0 * TAU + 0.9 * PI)).abs() < 1e-14);
+    }
+}

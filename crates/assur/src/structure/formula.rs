@@ -74,7 +74,8 @@ pub fn roman(mut number: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::roman;
+    use super::*;
+    use crate::structure::{Driver, Graph, Pair, decompose};
 
     #[test]
     fn roman_numerals() {
@@ -83,5 +84,68 @@ mod tests {
             numbers.map(roman).join(" "),
             "I II III IV V VI VIII IX XIV XXXIX XL LXVI XCIX"
         );
+    }
+
+    #[test]
+    fn subscripts_have_all_digits() {
+        assert_eq!([0, 7, 120, 3456].map(subscript).join(" "), "₀ ₇ ₁₂₀ ₃₄₅₆");
+    }
+
+    /// A four-bar 0-1-2-3 with a second dyad 4-5 on its rocker.
+    #[test]
+    fn a_formula_has_a_term_for_each_group() {
+        let graph = Graph {
+            links: 6,
+            ground: 0,
+            pairs: [[0, 1], [1, 2], [2, 3], [3, 0], [3, 4], [4, 5], [5, 0]]
+                .map(|links| Pair::Revolute(links.to_vec()))
+                .to_vec(),
+        };
+        let driver = Driver {
+            pair: 0,
+            links: [0, 1],
+        };
+        let structure = decompose(&graph, &[driver]).unwrap();
+        assert_eq!(
+            structure.formula(|link| link),
+            "I(0,1) → II₂(2,3) → II₂(4,5)"
+        );
+        let letters = |link: usize| ["frame", "a", "b", "c", "d", "e"][link];
+        assert_eq!(
+            structure.terms(letters),
+            ["I(frame,a)", "II₂(b,c)", "II₂(d,e)"]
+        );
+    }
+
+    /// A plate 3 on three bars: 2 from the crank 1, and 4 and 5 from the frame.
+    #[test]
+    fn a_plate_on_three_bars_is_of_class_iii_and_order_3() {
+        let graph = Graph {
+            links: 6,
+            ground: 0,
+            pairs: [[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [4, 0], [5, 0]]
+                .map(|links| Pair::Revolute(links.to_vec()))
+                .to_vec(),
+        };
+        let driver = Driver {
+            pair: 0,
+            links: [0, 1],
+        };
+        let structure = decompose(&graph, &[driver]).unwrap();
+        assert_eq!(structure.formula(|link| link), "I(0,1) → III₃(2,3,4,5)");
+    }
+
+    /// A passive link has one redundant constraint, and no class.
+    #[test]
+    fn a_passive_link_is_written_with_its_redundant_constraint() {
+        let passive = Group {
+            bodies: vec![vec![4]],
+            inner: vec![],
+            outer: vec![],
+            class: 1,
+            dyad: None,
+            surplus: 1,
+        };
+        assert_eq!(passive.symbol(), "q₁");
     }
 }

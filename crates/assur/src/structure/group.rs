@@ -253,3 +253,88 @@ fn check_body(graph: &Graph, drivers: &[Driver], body: &[usize]) -> Result<(), F
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::decompose;
+
+    /// Whether the pairs of two links 2 and 3 between the crank 1 and the frame 0 slide: outer, inner, outer.
+    fn dyad(slides: [bool; 3]) -> Group {
+        let pairs = [[1, 2], [2, 3], [3, 0]].into_iter().zip(slides);
+        let pairs = pairs.map(|(links, slides)| match slides {
+            true => Pair::Prismatic(links),
+            false => Pair::Revolute(links.to_vec()),
+        });
+        let graph = Graph {
+            links: 4,
+            ground: 0,
+            pairs: [Pair::Revolute(vec![0, 1])]
+                .into_iter()
+                .chain(pairs)
+                .collect(),
+        };
+        let driver = Driver {
+            pair: 0,
+            links: [0, 1],
+        };
+        let structure = decompose(&graph, &[driver]).unwrap();
+        structure.groups().next().unwrap().clone()
+    }
+
+    #[test]
+    fn pairs_that_slide_determine_the_form_of_a_dyad() {
+        for (slides, form) in [
+            ([false, false, false], Dyad::RRR),
+            ([false, false, true], Dyad::RRP),
+            ([true, false, false], Dyad::RRP),
+            ([false, true, false], Dyad::RPR),
+            ([true, false, true], Dyad::PRP),
+            ([false, true, true], Dyad::RPP),
+            ([true, true, false], Dyad::RPP),
+        ] {
+            let group = dyad(slides);
+            assert_eq!(group.dyad, Some(form), "{slides:?}");
+            assert_eq!((group.class, group.order(), group.surplus), (2, 2, 0));
+        }
+    }
+
+    /// The pairs 1 and 3 join the dyad to crank and frame, pair 2 joins its links.
+    #[test]
+    fn outer_pairs_lead_to_links_solved_before() {
+        let group = dyad([false; 3]);
+        let outer = |pair, link, base| Outer { pair, link, base };
+        assert_eq!(group.outer, [outer(1, 2, 1), outer(3, 3, 0)]);
+        assert_eq!((group.inner.clone(), group.links()), (vec![2], vec![2, 3]));
+    }
+
+    /// Hinges of k links count 2(k − 1) constraints, a mesh counts 1, and so does a driver.
+    #[test]
+    fn constraints_between_links() {
+        let graph = Graph {
+            links: 4,
+            ground: 0,
+            pairs: vec![
+                Pair::Revolute(vec![0, 1, 2]),
+                Pair::Prismatic([2, 3]),
+                Pair::Gear([1, 3]),
+            ],
+        };
+        let driver = [Driver {
+            pair: 0,
+            links: [0, 1],
+        }];
+        for (links, expected) in [
+            (&[0, 1, 2, 3][..], 4 + 2 + 1 + 1),
+            (&[1, 2, 3], 2 + 2 + 1),
+            (&[2, 3], 2),
+            (&[0, 3], 0),
+        ] {
+            assert_eq!(
+                constraints_between(&graph, &driver, links),
+                expected,
+                "{links:?}"
+            );
+        }
+    }
+}

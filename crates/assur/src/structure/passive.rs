@@ -135,3 +135,64 @@ impl Without {
         structure.step_of = step_of;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A parallelogram of crank 1, coupler 2 and rocker 3, with a third crank 4 between coupler and frame.
+    fn parallelogram() -> (Graph, Driver) {
+        let graph = Graph {
+            links: 5,
+            ground: 0,
+            pairs: [[0, 1], [1, 2], [2, 3], [3, 0], [2, 4], [4, 0]]
+                .map(|links| Pair::Revolute(links.to_vec()))
+                .to_vec(),
+        };
+        let driver = Driver {
+            pair: 0,
+            links: [0, 1],
+        };
+        (graph, driver)
+    }
+
+    /// 3·4 − 2·6 = 0: by count it is locked. If it moves the same without the last crank, this crank is passive.
+    #[test]
+    fn a_third_crank_is_passive_if_the_linkage_moves_without_it() {
+        let (graph, driver) = parallelogram();
+        assert_eq!(graph.mobility(), 0);
+        assert!(decompose(&graph, &[driver]).is_err());
+        let found = with_passive_links(&graph, &[driver], |_| true).unwrap();
+        assert_eq!(found.formula(|link| link), "I(0,1) → II₂(2,3) → q₁(4)");
+        let Some(Step::Group(passive)) = found.steps.last() else {
+            panic!("no group")
+        };
+        let outer = |pair, base| Outer {
+            pair,
+            link: 4,
+            base,
+        };
+        assert_eq!(passive.outer, [outer(4, 2), outer(5, 0)]);
+        assert_eq!(found.step_of[4], Some(2));
+    }
+
+    /// If only the linkage without link 3 moves the same, link 3 is passive; if none does, there is no structure.
+    #[test]
+    fn only_links_without_which_it_moves_the_same_are_passive() {
+        let (graph, driver) = parallelogram();
+        let without_3 = |passive: &BTreeSet<usize>| *passive == BTreeSet::from([3]);
+        let found = with_passive_links(&graph, &[driver], without_3).unwrap();
+        assert_eq!(found.formula(|link| link), "I(0,1) → II₂(2,4) → q₁(3)");
+        assert_eq!(with_passive_links(&graph, &[driver], |_| false), None);
+    }
+
+    /// Without surplus constraints no link is passive, even if the linkage would move without it.
+    #[test]
+    fn a_four_bar_has_no_passive_link() {
+        let (mut graph, driver) = parallelogram();
+        graph.links = 4;
+        graph.pairs.truncate(4);
+        let found = with_passive_links(&graph, &[driver], |_| true).unwrap();
+        assert_eq!(found.formula(|link| link), "I(0,1) → II₂(2,3)");
+    }
+}

@@ -234,3 +234,67 @@ impl Surplus {
         self.excess += other.excess;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Links 0, 1, … and hinges between them.
+    fn counted(links: usize, hinges: &[&[usize]]) -> (Pebbles, Vec<Surplus>) {
+        let graph = Graph {
+            links,
+            ground: 0,
+            pairs: hinges
+                .iter()
+                .map(|links| Pair::Revolute(links.to_vec()))
+                .collect(),
+        };
+        Pebbles::count(&graph, &[], |_| true)
+    }
+
+    /// Free pebbles are freedoms, those of the plane included: W + 3. Triangle 0 + 3, four-bar 1 + 3, five-bar 2 + 3.
+    #[test]
+    fn free_pebbles_are_the_freedoms() {
+        for (hinges, freedoms) in [
+            (&[&[0, 1][..], &[1, 2], &[2, 0]][..], 3),
+            (&[&[0, 1], &[1, 2], &[2, 3], &[3, 0]], 4),
+            (&[&[0, 1], &[1, 2], &[2, 3], &[3, 4], &[4, 0]], 5),
+        ] {
+            let links = hinges.len();
+            let (pebbles, surplus) = counted(links, hinges);
+            let nodes: Vec<usize> = (0..2 * links).collect();
+            assert_eq!(pebbles.free_on(&nodes), freedoms, "{links}");
+            assert!(surplus.is_empty());
+        }
+    }
+
+    /// Links of a triangle are locked; those of a four-bar move. Three pebbles can be gathered on any link.
+    #[test]
+    fn a_triangle_is_locked_and_a_four_bar_is_not() {
+        let (mut triangle, _) = counted(3, &[&[0, 1], &[1, 2], &[2, 0]]);
+        assert!(triangle.locked(0, 1) && triangle.locked(1, 2));
+        assert!(triangle.gather(&[2], 3) && !triangle.gather(&[2], 4));
+        assert!(!triangle.moves(1, 2));
+        let (mut four_bar, _) = counted(4, &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]]);
+        assert!(!four_bar.locked(0, 1) && !four_bar.locked(0, 2));
+        assert!(four_bar.gather(&[0], 3));
+        assert!(four_bar.moves(2, 0));
+    }
+
+    /// A square of bars 0 to 3 with both diagonals 4 and 5, three links at each corner: 18 − 16 freedoms, one less than
+    /// the three of a rigid body.
+    #[test]
+    fn a_square_with_two_diagonals_has_one_surplus_constraint() {
+        let square: [&[usize]; 4] = [&[0, 1, 4], &[1, 2, 5], &[2, 3, 4], &[3, 0, 5]];
+        let (pebbles, surplus) = counted(6, &square);
+        let [part] = &surplus[..] else {
+            panic!("not one part")
+        };
+        assert_eq!(part.excess, 1);
+        assert_eq!(part.nodes, (0..10).collect::<Vec<usize>>());
+        assert_eq!(pebbles.free_on(&part.nodes), 3);
+        // One diagonal braces it without a surplus.
+        let braced: [&[usize]; 4] = [&[0, 1, 4], &[1, 2], &[2, 3, 4], &[3, 0]];
+        assert!(counted(5, &braced).1.is_empty());
+    }
+}

@@ -172,3 +172,76 @@ impl Layout {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::gears::train::Train;
+
+    fn met(teeth: [f64; 3], satellites: f64, kind: ConditionKind) -> (f64, f64, bool) {
+        let train = Train::planar(teeth).unwrap();
+        let layout = Layout::new(train, satellites, 1.0, None).unwrap();
+        let conditions = layout.conditions(Coupling::Contact);
+        let found = conditions.iter().find(|one| one.kind == kind).unwrap();
+        (found.left, found.right, found.met())
+    }
+
+    /// (20 + 60)/k is whole for k = 2, 4 and 5.
+    #[test]
+    fn eighty_teeth_take_two_four_or_five_satellites() {
+        for (k, expected) in [
+            (2.0, true),
+            (3.0, false),
+            (4.0, true),
+            (5.0, true),
+            (6.0, false),
+        ] {
+            let found = met([20.0, 20.0, 60.0], k, ConditionKind::Assembly);
+            assert_eq!(found, (80.0, k, expected));
+        }
+    }
+
+    /// Satellites of 20 teeth, 22 over the tips, on an axis distance of 20: sin(180°/k) > 22/40. For k = 6 the sine is
+    /// ½.
+    #[test]
+    fn five_satellites_have_room_and_six_have_not() {
+        for (k, expected) in [(2.0, true), (5.0, true), (6.0, false)] {
+            let (_, width, is_met) = met([20.0, 20.0, 60.0], k, ConditionKind::Neighbours);
+            assert_eq!((width, is_met), (0.55, expected), "{k}");
+        }
+    }
+
+    /// z₄ = 20 + 2·20 = 60: off by 0, 1, 2 and 3 teeth.
+    #[test]
+    fn profile_shift_may_make_up_for_two_teeth() {
+        for (ring, is_met, within) in [
+            (60.0, true, false),
+            (61.0, false, true),
+            (58.0, false, true),
+            (63.0, false, false),
+        ] {
+            let train = Train::planar([20.0, 20.0, ring]).unwrap();
+            let layout = Layout::new(train, 1.0, 1.0, None).unwrap();
+            let coaxiality = layout.conditions(Coupling::Contact)[0];
+            assert_eq!((coaxiality.left, coaxiality.right), (ring, 60.0));
+            assert_eq!(coaxiality.met(), is_met, "{ring}");
+            assert_eq!(coaxiality.within_profile_shift(), within, "{ring}");
+        }
+    }
+
+    /// Poles that alternate have (20 + 64)/2 = 42 periods: four satellites fit 84 plates, but not 42 periods.
+    #[test]
+    fn alternating_poles_halve_the_count_of_the_assembly() {
+        let train = Train::planar([20.0, 20.0, 64.0]).unwrap();
+        let layout = Layout::new(train, 4.0, 1.0, None).unwrap();
+        for (layout, left, is_met) in [(layout, 84.0, true), (layout.alternating(), 42.0, false)] {
+            let conditions = layout.conditions(Coupling::Magnetic);
+            let assembly = conditions
+                .iter()
+                .find(|one| one.kind == ConditionKind::Assembly);
+            let assembly = assembly.unwrap();
+            assert_eq!((assembly.left, assembly.met()), (left, is_met));
+        }
+    }
+}

@@ -184,4 +184,48 @@ mod tests {
         assert_eq!((relative.sun, relative.ring), (4.0, -2.0));
         assert!(Differential::planar([40.0, 20.0]).is_err());
     }
+
+    /// The differential of an axle: equal side wheels share the torque of the carrier, whatever their speeds. At 8 and
+    /// 12 the power taken in at the carrier, 10·10, is given off as 5·8 and 5·12.
+    #[test]
+    fn equal_side_wheels_share_the_torque() {
+        let axle = Differential::of(16, 16);
+        let torques = axle.torques(Shaft::Carrier, 10.0).unwrap();
+        assert_eq!((torques.sun, torques.ring), (-5.0, -5.0));
+        let speeds = Shafts {
+            sun: 8.0,
+            carrier: 10.0,
+            ring: 12.0,
+        };
+        let powers = torques.powers(&speeds);
+        assert_eq!(
+            (powers.sun, powers.carrier, powers.ring),
+            (-40.0, 100.0, -60.0)
+        );
+    }
+
+    /// Of 20 and 40 teeth: torques in the ratio 1 : −3 : 2, relative to each of the shafts.
+    #[test]
+    fn torques_are_in_the_ratio_of_the_weights() {
+        let differential = Differential::of(20, 40);
+        for (known, [sun, carrier, ring]) in [
+            (Shaft::Sun, [1.0, -3.0, 2.0]),
+            (Shaft::Carrier, [-1.0 / 3.0, 1.0, -2.0 / 3.0]),
+            (Shaft::Ring, [0.5, -1.5, 1.0]),
+        ] {
+            let found = differential.torques_relative_to(known);
+            for (found, expected) in [
+                (found.sun, sun),
+                (found.carrier, carrier),
+                (found.ring, ring),
+            ] {
+                assert!((found - expected).abs() < 1e-15, "{known:?}: {found}");
+            }
+        }
+        assert_eq!(
+            differential.torques(Shaft::Sun, f64::NAN),
+            Err(Fault::NotFinite)
+        );
+        assert_eq!(differential.pitches(), 60);
+    }
 }

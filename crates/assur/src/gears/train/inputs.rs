@@ -175,3 +175,74 @@ fn singular(first: &Input, second: &Input) -> InputError {
         _ => InputError::Twice { shaft: first.shaft },
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use Shaft::{Carrier, Ring, Sun};
+
+    fn given(shaft: Shaft, value: f64) -> Input {
+        let drive = Drive::Given(value);
+        Input { shaft, drive }
+    }
+
+    fn tied(shaft: Shaft, to: Shaft, factor: f64) -> Input {
+        let drive = Drive::Tied { to, factor };
+        Input { shaft, drive }
+    }
+
+    /// Sun of 20 and ring of 60 teeth: ω₁ + 3ω₄ = 4ω₃.
+    #[test]
+    fn two_given_speeds_determine_the_third() {
+        let differential = Differential::planar([20.0, 60.0]).unwrap();
+        for (inputs, [sun, carrier, ring]) in [
+            ([given(Sun, 8.0), given(Ring, 0.0)], [8.0, 2.0, 0.0]),
+            ([given(Sun, 0.0), given(Ring, 8.0)], [0.0, 6.0, 8.0]),
+            ([given(Carrier, 0.0), given(Ring, 2.0)], [-6.0, 0.0, 2.0]),
+            ([given(Carrier, 5.0), given(Sun, 5.0)], [5.0, 5.0, 5.0]),
+            // The ring at three times the speed of the sun: 10 ω₁ = 4 ω₃.
+            ([tied(Ring, Sun, 3.0), given(Carrier, 5.0)], [2.0, 5.0, 6.0]),
+            (
+                [tied(Sun, Carrier, 2.0), tied(Ring, Sun, 3.0)],
+                [0.0, 0.0, 0.0],
+            ),
+        ] {
+            let found = differential.solve(&inputs).unwrap();
+            for (found, expected) in [
+                (found.sun, sun),
+                (found.carrier, carrier),
+                (found.ring, ring),
+            ] {
+                assert!((found - expected).abs() < 1e-14, "{inputs:?}: {found}");
+            }
+        }
+    }
+
+    /// With the carrier held, 0 = ω₁ + 3ω₄: a ring at −1/3 of the speed of the sun may turn at any speed.
+    #[test]
+    fn a_ratio_that_the_train_has_already_determines_nothing() {
+        let differential = Differential::planar([20.0, 60.0]).unwrap();
+        let factor = -1.0 / 3.0;
+        let inputs = [given(Carrier, 0.0), tied(Ring, Sun, factor)];
+        let singular = InputError::SingularTie {
+            shaft: Ring,
+            to: Sun,
+            factor,
+        };
+        assert_eq!(differential.solve(&inputs), Err(vec![singular]));
+        let close = [given(Carrier, 0.0), tied(Ring, Sun, -0.333)];
+        assert_eq!(differential.solve(&close).unwrap().sun.abs(), 0.0);
+    }
+
+    /// One radian of the sun at the held ring turns the carrier through a quarter: the equation also holds for angles.
+    #[test]
+    fn angles_obey_the_equation_of_the_speeds() {
+        let differential = Differential::planar([20.0, 60.0]).unwrap();
+        let turn = std::f64::consts::TAU;
+        let angles = differential
+            .solve(&[given(Sun, turn), given(Ring, 0.0)])
+            .unwrap();
+        assert!((angles.carrier - 0.25 * turn).abs() < 1e-15);
+    }
+}

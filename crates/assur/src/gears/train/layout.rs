@@ -21,11 +21,9 @@ pub struct Layout {
 impl Layout {
     /// Makes a layout from numbers entered by a person: the number of satellites, the module m, and the axis distance
     /// a_w. A wheel with z teeth has the diameter d = m z. The distance a_w, from the central axis to a satellite's
-    /// axis, is used for magnets only; without it the gaps at sun and ring are equal.
-    ///
-    /// # Errors
-    /// Every reason at once: a number of satellites outside 1 to [`GearSet::MAX_WHEELS`](crate::gears::GearSet::MAX_WHEELS);
-    /// lengths that are not positive or not in range.
+    /// axis, is used for magnets only; without it the gaps at sun and ring are equal.  # Errors Every reason at once: a
+    /// number of satellites outside 1 to [`GearSet::MAX_WHEELS`](crate::gears::GearSet::MAX_WHEELS); lengths that are
+    /// not positive or not in range.
     pub fn new(
         train: Train,
         satellites: f64,
@@ -167,5 +165,60 @@ impl Layout {
                 tip.sin() / sine
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layout(teeth: [f64; 3], module: f64, axis_distance: Option<f64>) -> Layout {
+        Layout::new(Train::planar(teeth).unwrap(), 3.0, module, axis_distance).unwrap()
+    }
+
+    /// Module 2, teeth 20, 20, 66: pitch radii 20, 20 and 66. Gears in contact have the axis distance 40. There is room
+    /// for 66 − 60 = 6 between the circles, 3 at the sun and 3 at the ring.
+    #[test]
+    fn axis_distance_and_gaps_follow_from_the_pitch_radii() {
+        let equal = layout([20.0, 20.0, 66.0], 2.0, None);
+        assert_eq!(equal.diameter(Member::Ring), 132.0);
+        assert_eq!(equal.axis_distance(Coupling::Contact), 40.0);
+        assert_eq!(equal.axis_distance(Coupling::Magnetic), 43.0);
+        assert_eq!(equal.gaps(), Some([3.0, 3.0]));
+        // Two addenda of 2 each are longer than the gap of 3.
+        assert_eq!(equal.tip_clearances(), Some([-1.0, -1.0]));
+        let given = layout([20.0, 20.0, 66.0], 2.0, Some(41.0));
+        assert_eq!(given.gaps(), Some([1.0, 5.0]));
+        assert_eq!(given.axis_distance(Coupling::Contact), 40.0);
+    }
+
+    /// The satellite of radius 10 (11 with its teeth) is 20 from the axis.
+    #[test]
+    fn half_the_angle_of_a_satellite_has_the_sine_of_radius_over_distance() {
+        let contact = layout([20.0, 20.0, 60.0], 1.0, None);
+        assert_eq!(contact.half_width(Coupling::Contact), 0.55);
+        assert_eq!(contact.half_width(Coupling::Magnetic), 0.5);
+    }
+
+    /// Equal bevel wheels of 20 teeth with axes at right angles have pitch cones of 45°, and pitch radii of 10: the
+    /// centre of a satellite is 10 from the axis.
+    #[test]
+    fn the_satellite_of_bevel_wheels_is_at_the_mean_of_the_pitch_radii() {
+        let bevel = Layout::new(Train::bevel([20.0; 3]).unwrap(), 2.0, 1.0, None).unwrap();
+        assert_eq!(bevel.axis_distance(Coupling::Contact), 10.0);
+        assert_eq!(bevel.gaps(), None);
+        let half_width = bevel.half_width(Coupling::Magnetic);
+        assert!((half_width - 0.5_f64.sqrt()).abs() < 1e-15, "{half_width}");
+    }
+
+    #[test]
+    fn poles_alternate_around_wheels_with_an_even_number() {
+        let alternating = layout([21.0, 20.0, 63.0], 1.0, None).alternating();
+        let odd: Vec<Member> = alternating.odd_wheels().collect();
+        assert_eq!(odd, [Member::Sun, Member::Ring]);
+        assert_eq!(
+            layout([21.0, 20.0, 63.0], 1.0, None).odd_wheels().count(),
+            0
+        );
     }
 }

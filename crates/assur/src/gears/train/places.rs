@@ -101,3 +101,65 @@ impl Layout {
         Some(mounted.into_iter().enumerate().map(place).collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::f64::consts::FRAC_PI_2;
+
+    fn layout(satellites: f64) -> Layout {
+        let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
+        Layout::new(train, satellites, 1.0, None).unwrap()
+    }
+
+    /// Four satellites on a circle of radius 20. The carrier at 90° moves each to the place of the next.
+    #[test]
+    fn satellites_stand_at_equal_angles_and_move_with_the_carrier() {
+        for (carrier, first) in [(0.0, 0), (FRAC_PI_2, 1)] {
+            let angles = Shafts {
+                carrier,
+                ..Shafts::default()
+            };
+            let places = layout(4.0).places(Coupling::Contact, &angles).unwrap();
+            let corners = [[20.0, 0.0], [0.0, 20.0], [-20.0, 0.0], [0.0, -20.0]];
+            for (k, place) in places.iter().enumerate() {
+                let expected = Point::from(corners[(k + first) % 4]);
+                assert!((place.centre - expected).norm() < 1e-13, "{places:?}");
+            }
+        }
+    }
+
+    /// With the carrier held, satellites of 20 teeth turn back as far as a sun of 20 turns.
+    #[test]
+    fn satellites_roll_on_the_sun() {
+        let angles = Shafts {
+            sun: 0.3,
+            carrier: 0.0,
+            ring: -0.1,
+        };
+        let [rest, turned] = [Shafts::default(), angles].map(|angles| {
+            let places = layout(4.0).places(Coupling::Contact, &angles);
+            places
+                .unwrap()
+                .iter()
+                .map(|place| place.angle)
+                .collect::<Vec<f64>>()
+        });
+        for (rest, turned) in rest.iter().zip(&turned) {
+            assert!((turned - rest + 0.3).abs() < 1e-14);
+        }
+    }
+
+    /// The sun has a tooth at 0°, so the satellite has a gap at 180°: half a pitch of 18° from its tooth at 171°. At 0°
+    /// it has a gap again, 9.5 pitches from this tooth, so the ring has a tooth there, or whole pitches of 6° farther.
+    #[test]
+    fn a_tooth_of_the_sun_meets_a_gap_of_the_first_satellite() {
+        let mounting = layout(4.0).mounting(1);
+        let first = mounting.satellites[0].to_degrees();
+        assert!((first - 171.0).abs() < 1e-12, "{first}");
+        let ring = mounting.ring.to_degrees();
+        let off = ring.rem_euclid(6.0);
+        assert!(off.min(6.0 - off) < 1e-12, "{ring}");
+    }
+}

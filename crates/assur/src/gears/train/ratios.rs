@@ -98,3 +98,52 @@ impl Differential {
         !self.ratios().iter().any(greater)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sun of 20 and ring of 40 teeth: ω₁ + 2ω₄ = 3ω₃.
+    #[test]
+    fn six_ratios_of_a_sun_of_20_and_a_ring_of_40() {
+        let ratios = Differential::planar([20.0, 40.0]).unwrap().ratios();
+        let found = ratios.map(|ratio| ratio.to_string());
+        assert_eq!(
+            found,
+            ["1/3(4)", "3/1(4)", "3/4(1)", "4/3(1)", "1/4(3)", "4/1(3)"]
+        );
+        let found = ratios.map(|ratio| (ratio.numerator, ratio.denominator));
+        assert_eq!(
+            found,
+            [(60, 20), (20, 60), (40, 60), (60, 40), (-40, 20), (-20, 40)]
+        );
+        let found = ratios.map(|ratio| ratio.value());
+        assert_eq!(found, [3.0, 1.0 / 3.0, 2.0 / 3.0, 1.5, -2.0, -0.5]);
+    }
+
+    /// 3 − 2 = 1, 2/3 + 1/3 = 1 and −1/2 + 3/2 = 1, with the common denominators 20, 60 and 40.
+    #[test]
+    fn ratios_of_one_shaft_to_the_two_others_add_up_to_one() {
+        let identities = Differential::planar([20.0, 40.0]).unwrap().identities();
+        assert_eq!(
+            identities.map(|one| one.sum()),
+            [(20, 20), (60, 60), (40, 40)]
+        );
+    }
+
+    /// Largest is sun to carrier, 1 + z₄/z₁; with equal weights it is shared with ring to carrier, 2 = 2.
+    #[test]
+    fn the_largest_ratio_is_of_the_shaft_with_the_least_weight() {
+        for (sun, ring, expected) in [
+            (20, 40, vec!["1/3(4)"]),
+            (40, 20, vec!["4/3(1)"]),
+            (20, 20, vec!["1/3(4)", "4/3(1)"]),
+        ] {
+            let differential = Differential::of(sun, ring);
+            let ratios = differential.ratios();
+            let largest = ratios.iter().filter(|ratio| differential.is_largest(ratio));
+            let largest: Vec<String> = largest.map(ToString::to_string).collect();
+            assert_eq!(largest, expected);
+        }
+    }
+}

@@ -84,3 +84,61 @@ fn changes(kind: Kind, total: i32) -> Vec<[i32; 4]> {
     }
     changes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Changes of three numbers of teeth by n in all: points of an octahedron, 1, 6 and 4n² + 2 = 18. With a fourth
+    /// number 8 and 32.
+    #[test]
+    fn changes_are_the_points_of_an_octahedron() {
+        for (kind, total, count) in [
+            (Kind::Planar, 0, 1),
+            (Kind::Planar, 1, 6),
+            (Kind::Planar, 2, 18),
+            (Kind::Bevel, 2, 18),
+            (Kind::Stepped, 1, 8),
+            (Kind::Stepped, 2, 32),
+        ] {
+            let mut found = changes(kind, total);
+            assert!(
+                found
+                    .iter()
+                    .all(|change| change.iter().map(|by| by.abs()).sum::<i32>() == total)
+            );
+            assert!(kind == Kind::Stepped || found.iter().all(|change| change[2] == 0));
+            found.sort_unstable();
+            found.dedup();
+            assert_eq!(found.len(), count, "{kind:?} {total}");
+        }
+    }
+
+    /// Of the trains next to 20, 21 and 60 teeth only 20, 20 and 60 is coaxial, 60 = 20 + 2·20; it takes four
+    /// satellites.
+    #[test]
+    fn the_nearest_train_has_one_tooth_less() {
+        let train = Train::planar([20.0, 21.0, 60.0]).unwrap();
+        let layout = Layout::new(train, 4.0, 1.0, None).unwrap();
+        let found = layout.suggestions(Coupling::Contact, 1);
+        let expected = Suggestion {
+            train: Train::planar([20.0, 20.0, 60.0]).unwrap(),
+            change: 1,
+        };
+        assert_eq!(found, [expected]);
+        assert!(layout.suggestions(Coupling::Contact, 0).is_empty());
+    }
+
+    /// Five satellites fit 80 teeth, with a chord of 20 sin 36° between them; six, with sin 30° = 1/2, need smaller
+    /// ones.
+    #[test]
+    fn six_satellites_need_other_wheels() {
+        let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
+        for (satellites, is_same) in [(5.0, true), (6.0, false)] {
+            let layout = Layout::new(train, satellites, 1.0, None).unwrap();
+            let found = layout.suggestions(Coupling::Contact, 1)[0];
+            assert_eq!(found.change == 0, is_same, "{satellites}");
+            assert_eq!(found.train == train, is_same);
+        }
+    }
+}

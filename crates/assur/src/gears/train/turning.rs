@@ -346,3 +346,35 @@ fn speed(time: f64, rise: f64) -> f64 {
 fn acceleration(time: f64, rise: f64) -> f64 {
     if time < rise { rise.recip() } else { 0.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 90 rpm over 40 s are 60 turns; 25 rpm over 1 s are 25/60 of a turn.
+    #[test]
+    fn turns_are_speed_times_time() {
+        for (rpm, seconds, whole, part) in [
+            (90.0, 40.0, 60, 0.0),
+            (25.0, 1.0, 0, 25.0 / 60.0),
+            (-90.0, 1.0, -1, -0.5),
+        ] {
+            let turns = Turns::of(rpm, seconds);
+            assert_eq!((turns.whole, turns.part), (whole, part), "{rpm}");
+        }
+    }
+
+    /// A speed that rises over 4 s: half of it after 2 s, when an eighth of 4 s at full speed has been made; then 2 s
+    /// are lost.
+    #[test]
+    fn a_linear_rise_costs_half_its_time() {
+        for (time, expected) in [
+            (2.0, [0.5, 0.5, 0.25]),
+            (4.0, [2.0, 1.0, 0.0]),
+            (10.0, [8.0, 1.0, 0.0]),
+        ] {
+            let found = [run(time, 4.0), speed(time, 4.0), acceleration(time, 4.0)];
+            assert_eq!(found, expected, "{time}");
+        }
+    }
+}

@@ -94,3 +94,68 @@ impl Layout {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Teeth 20, 20 and 60, module 1: radii 10 and 30, axis distance 20. Sun at 10 and ring at 2 give the carrier 4 and
+    /// the satellite −2: velocities 10·10, 20·4 and 30·2, and 0 at 20 + 40 from the axis.
+    #[test]
+    fn the_velocity_triangle_of_a_satellite() {
+        let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
+        let layout = Layout::new(train, 1.0, 1.0, None).unwrap();
+        let speeds = Shafts {
+            sun: 10.0,
+            carrier: 4.0,
+            ring: 2.0,
+        };
+        let found = layout.velocities(Coupling::Contact, &speeds).unwrap();
+        for (point, radius, velocity) in [
+            (found.sun, 10.0, 100.0),
+            (found.centre, 20.0, 80.0),
+            (found.ring, 30.0, 60.0),
+        ] {
+            assert_eq!((point.radius, point.velocity), (radius, velocity));
+        }
+        assert_eq!(found.instantaneous_centre, Some(60.0));
+    }
+
+    /// With the ring held, the satellite turns about its point of contact with the ring; with the sun held, with the
+    /// sun.
+    #[test]
+    fn a_satellite_rolls_on_a_wheel_that_is_held() {
+        let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
+        let layout = Layout::new(train, 1.0, 1.0, None).unwrap();
+        for (sun, carrier, ring, centre) in [(4.0, 1.0, 0.0, 30.0), (0.0, 3.0, 4.0, 10.0)] {
+            let speeds = Shafts { sun, carrier, ring };
+            let found = layout.velocities(Coupling::Contact, &speeds).unwrap();
+            assert_eq!(found.instantaneous_centre, Some(centre));
+        }
+    }
+
+    /// A satellite rolls on an equal sun as a coin on an equal coin: two turns for each turn around it.
+    #[test]
+    fn a_satellite_as_large_as_the_held_sun_turns_twice_as_fast() {
+        let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
+        let spin = train.spin(&Shafts {
+            sun: 0.0,
+            carrier: 3.0,
+            ring: 4.0,
+        });
+        assert_eq!((spin.relative, spin.along, spin.across), (3.0, 6.0, 0.0));
+    }
+
+    /// cos Σ = (40 − 20)/40 = 1/2: half of the relative speed is along the central axis, √3/2 of it across.
+    #[test]
+    fn the_speed_of_a_bevel_satellite_has_two_components() {
+        let train = Train::bevel([20.0, 20.0, 40.0]).unwrap();
+        let spin = train.spin(&Shafts {
+            sun: 3.0,
+            carrier: 1.0,
+            ring: 0.0,
+        });
+        assert_eq!(spin.relative, -2.0);
+        assert!((spin.along - 0.0).abs() < 1e-15 && (spin.across + 3_f64.sqrt()).abs() < 1e-15);
+    }
+}

@@ -136,3 +136,71 @@ pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
         gear.is_passive = gear.bodies[0] != gear.bodies[1] && adds == Some(Adds::Nothing);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::index::Id;
+
+    /// The equation of bodies by their numbers: sun 1, satellite 2, carrier 3, ring 4.
+    fn equation(terms: &[(usize, i128)]) -> Equation {
+        Equation(
+            terms
+                .iter()
+                .map(|&(body, by)| (BodyId::at(body), by))
+                .collect(),
+        )
+    }
+
+    /// Sun 20, satellite 20 and a held ring of 60: 20θ₁ + 20θ₂ − 40θ₃ and 20θ₂ + 40θ₃ are constant, so the carrier
+    /// turns at 1/4 and the satellite at −1/2 of the speed of the sun.
+    #[test]
+    fn carrier_and_satellite_in_a_held_ring() {
+        let mut solved = Solved::default();
+        let sought = |body: BodyId| body != BodyId::at(1);
+        for terms in [&[(1, 20), (2, 20), (3, -40)][..], &[(2, 20), (3, 40)]] {
+            assert_eq!(solved.add(&equation(terms), sought), Some(Adds::Angle));
+        }
+        let ratios: Vec<_> = solved.ratios().collect();
+        let sun = BodyId::at(1);
+        let expected = [(2, -0.5), (3, 0.25)].map(|(body, by)| (BodyId::at(body), vec![(sun, by)]));
+        assert_eq!(ratios, expected);
+    }
+
+    /// A multiple of an equation, or the sum of two, follows from them; an equation of other bodies does not concern
+    /// them.
+    #[test]
+    fn an_equation_that_follows_adds_nothing() {
+        let mut solved = Solved::default();
+        let sought = |body: BodyId| body.index() < 4;
+        for (terms, expected) in [
+            (&[(1, 20), (2, 20), (3, -40)][..], Adds::Angle),
+            (&[(1, 30), (2, 30), (3, -60)], Adds::Nothing),
+            (&[(2, 20), (3, 40)], Adds::Angle),
+            (&[(1, 20), (2, 40)], Adds::Nothing),
+            (&[(4, 1), (5, 1)], Adds::Elsewhere),
+        ] {
+            assert_eq!(
+                solved.add(&equation(terms), sought),
+                Some(expected),
+                "{terms:?}"
+            );
+        }
+    }
+
+    /// Without θ₂, 20θ₁ + 20θ₂ − 40θ₃ and 20θ₂ + 40θ₃ leave θ₁ − 4θ₃, in the smallest integers.
+    #[test]
+    fn elimination_leaves_the_smallest_integers() {
+        let left = equation(&[(1, 20), (2, 20), (3, -40)]);
+        let other = equation(&[(2, 20), (3, 40)]);
+        let found = left.without(BodyId::at(2), &other);
+        assert_eq!(found, Some(equation(&[(1, 1), (3, -4)])));
+        // The other equation does not contain θ₁.
+        assert_eq!(left.without(BodyId::at(1), &other), Some(left.clone()));
+        let huge = equation(&[(1, i128::MAX), (2, 1)]);
+        assert_eq!(
+            huge.without(BodyId::at(2), &equation(&[(1, 1), (2, 3)])),
+            None
+        );
+    }
+}

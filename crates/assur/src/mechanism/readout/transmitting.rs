@@ -136,3 +136,80 @@ pub(in crate::mechanism) fn folded<const N: usize>(angle: Jet<N>) -> Jet<N> {
     let folded = angle * sense(&angle);
     folded + (acute(angle.value()) - folded.value())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linkage::LinkageSpec;
+    use crate::motion::Motion;
+
+    #[test]
+    fn angles_between_lines_are_acute() {
+        for (directed, expected) in [
+            (30.0, 30.0),
+            (100.0, 80.0),
+            (180.0, 0.0),
+            (-30.0, 30.0),
+            (270.0, 90.0),
+        ] {
+            let found = acute(f64::to_radians(directed)).to_degrees();
+            assert!((found - expected).abs() < 1e-13, "{directed}: {found}");
+        }
+    }
+
+    /// From 0 to 90° the acute angle grows with the directed angle, from 90° to 180° it falls. At the folds the rate
+    /// decides.
+    #[test]
+    fn the_acute_angle_is_folded_at_right_angles_and_in_line() {
+        for (directed, rate, expected) in [
+            (30.0, 2.0, [30.0, 2.0]),
+            (100.0, 2.0, [80.0, -2.0]),
+            (200.0, 2.0, [20.0, 2.0]),
+            (0.0, -2.0, [0.0, 2.0]),
+            (90.0, 2.0, [90.0, -2.0]),
+            (90.0, -2.0, [90.0, -2.0]),
+        ] {
+            let found = folded(Jet::<2>::linear(f64::to_radians(directed), rate));
+            assert!(
+                (found.value().to_degrees() - expected[0]).abs() < 1e-13,
+                "{found:?}"
+            );
+            assert_eq!(found.derivative(1), expected[1], "{directed}");
+        }
+    }
+
+    /// Crank 3 and rod 5: sin α = 3/5 |sin φ|. At 90° it is greatest; at 0° the rod is along the slide, and α′ = 3/5.
+    #[test]
+    fn the_pressure_angle_of_a_slider_crank() {
+        let spec = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.0, 3.0)
+            .point("C", 4.0, 0.0)
+            .point("E", 9.0, 0.0)
+            .fixed(&["A", "E"])
+            .bar("crank", &["A", "B"])
+            .bar("rod", &["B", "C"])
+            .bar("slider", &["C"])
+            .slide("slider", "C", "frame", ["A", "E"])
+            .crank("crank");
+        let motion = Motion::new(Mechanism::new(&spec).unwrap());
+        let mechanism = motion.mechanism();
+        let [pressure] = mechanism.transmitting()[..] else {
+            panic!("not one")
+        };
+        for (degrees, expected) in [
+            (90.0, [0.6_f64.asin(), 0.0]),
+            (0.0, [0.0, 0.6]),
+            (30.0, [0.3_f64.asin(), f64::NAN]),
+        ] {
+            let pose = motion.pose::<2>(f64::to_radians(degrees)).unwrap();
+            let found = pressure.of(mechanism, &pose);
+            assert!(
+                (found.value() - expected[0]).abs() < 1e-14,
+                "{degrees}: {found:?}"
+            );
+            let off = (found.derivative(1) - expected[1]).abs();
+            assert!(expected[1].is_nan() || off < 1e-14, "{degrees}: {found:?}");
+        }
+    }
+}

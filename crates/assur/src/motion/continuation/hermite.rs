@@ -58,4 +58,30 @@ mod tests {
             }
         }
     }
+
+    /// Halfway, the weights of the values are 1/2, and those of the slopes ±(w/2)(1/16)(11/2) = ±11w/64 with the width
+    /// w of 2: equal slopes cancel, opposite ones add up.
+    #[test]
+    fn halfway_both_ends_count_alike() {
+        for (start, end, expected) in [
+            ([0.0, 0.0], [1.0, 0.0], 0.5),
+            ([1.0, 1.0], [1.0, 1.0], 1.0),
+            ([0.0, 1.0], [0.0, -1.0], 2.0 * 2.0 * 11.0 / 64.0),
+        ] {
+            let taylor = |[value, slope]: [f64; 2]| [[value, slope, 0.0, 0.0]];
+            let [start, end] = [start, end].map(taylor);
+            let found: f64 = interpolated([(3.0, &start), (5.0, &end)], 4.0).sum();
+            assert!((found - expected).abs() < 1e-15, "{found}");
+        }
+    }
+
+    /// At the ends, and beyond them, the values of the ends.
+    #[test]
+    fn beyond_an_end_its_value_stays() {
+        let [start, end]: [[Taylor; 1]; 2] = [[[2.0, 5.0, 7.0, 1.0]], [[3.0, -4.0, 1.0, 9.0]]];
+        for (input, expected) in [(0.0, 2.0), (-1.0, 2.0), (1.0, 3.0), (8.0, 3.0)] {
+            let found: f64 = interpolated([(0.0, &start), (1.0, &end)], input).sum();
+            assert_eq!(found, expected, "{input}");
+        }
+    }
 }

@@ -109,3 +109,73 @@ fn bracketed(
     let outside = best.input < low.input || best.input > high.input;
     Some(if outside { nearer(low, high) } else { best })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+    /// sin(φ − 1) over a turn from −π, in steps of 30°.
+    fn sine(input: f64) -> Option<Sample> {
+        let (sin, cos) = (input - 1.0).sin_cos();
+        let f = [sin, cos, -sin];
+        Some(Sample { input, f })
+    }
+
+    #[test]
+    fn a_sine_has_two_roots_and_two_extrema_in_a_turn() {
+        let samples: Samples = (0..=12)
+            .map(|k| sine(-PI + TAU * f64::from(k) / 12.0))
+            .collect();
+        for (order, expected) in [
+            (0, [1.0, 1.0 + PI]),
+            (1, [1.0 + FRAC_PI_2, 1.0 + 3.0 * FRAC_PI_2]),
+        ] {
+            let found = ordered_roots(
+                &Cycle::turning(1),
+                std::slice::from_ref(&samples),
+                &sine,
+                order,
+            );
+            assert_eq!(found.len(), 2, "{order}");
+            for (root, expected) in found.iter().zip(expected) {
+                assert!(
+                    (root.input - expected).abs() < 2e-15,
+                    "{order}: {}",
+                    root.input
+                );
+            }
+        }
+    }
+
+    fn parabola(least: f64) -> impl Fn(f64) -> Option<Sample> {
+        move |input| {
+            let f = [input * input + least, 2.0 * input, 2.0];
+            Some(Sample { input, f })
+        }
+    }
+
+    /// x² − 10⁻⁶ is positive at both samples, −1 and 2, and has the roots ±10⁻³ between them; x² + 10⁻⁶ has none.
+    #[test]
+    fn two_roots_around_a_minimum_between_samples_are_found() {
+        for (least, expected) in [(-1e-6, vec![-1e-3, 1e-3]), (1e-6, vec![])] {
+            let sample = parabola(least);
+            let samples = vec![sample(-1.0), sample(2.0)];
+            let cycle = Cycle::swinging([-1.0, 2.0], None);
+            let found = ordered_roots(&cycle, &[samples], &sample, 0);
+            assert_eq!(found.len(), expected.len(), "{least}");
+            for (root, expected) in found.iter().zip(expected) {
+                assert!((root.input - expected).abs() < 1e-15, "{}", root.input);
+            }
+        }
+    }
+
+    /// Samples without a pose divide the motion: the root between them is not sought.
+    #[test]
+    fn no_root_is_sought_where_there_is_no_pose() {
+        let cycle = Cycle::swinging([-1.0, 2.0], None);
+        let samples = vec![sine(0.5), None, sine(1.5)];
+        assert!(ordered_roots(&cycle, &[samples], &sine, 0).is_empty());
+    }
+}

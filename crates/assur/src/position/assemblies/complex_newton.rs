@@ -123,3 +123,37 @@ impl Workspace {
         Some(rhs)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn solved(jacobian: &[C], rhs: &[C]) -> Option<Vec<C>> {
+        let mut workspace = Workspace::new(rhs.len() / 2);
+        workspace.jacobian.copy_from_slice(jacobian);
+        workspace.rhs.copy_from_slice(rhs);
+        workspace.step().map(<[C]>::to_vec)
+    }
+
+    /// y = 3 and 2x = 4, which needs a pivot; then ix + y = 1 + i and x + iy = 1 + i, with the solution (1, 1).
+    #[test]
+    fn two_complex_equations() {
+        let i = C::new(0.0, 1.0);
+        let two = C::new(2.0, 0.0);
+        let found = solved(
+            &[ZERO, ONE, two, ZERO],
+            &[C::new(3.0, 0.0), C::new(4.0, 0.0)],
+        );
+        assert_eq!(found, Some(vec![two, C::new(3.0, 0.0)]));
+        let found = solved(&[i, ONE, ONE, i], &[ONE + i, ONE + i]).unwrap();
+        assert!(found.iter().all(|x| (x - ONE).norm() < 1e-15), "{found:?}");
+    }
+
+    /// The second row is −i times the first, (i, 1)·(−i) = (1, −i).
+    #[test]
+    fn dependent_complex_rows_have_no_solution() {
+        let i = C::new(0.0, 1.0);
+        assert_eq!(solved(&[i, ONE, ONE, -i], &[ONE, ONE]), None);
+        assert_eq!(solved(&[ZERO; 4], &[ONE, ONE]), None);
+    }
+}

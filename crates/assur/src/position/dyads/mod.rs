@@ -6,7 +6,7 @@ mod rpr;
 mod rrp;
 mod rrr;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 pub(crate) use prp::Prp;
 pub(crate) use rpp::Rpp;

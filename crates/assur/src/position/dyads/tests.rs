@@ -4,11 +4,13 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
 use crate::index::{BodyId, Id, PointId, StepId};
-use crate::position::{Arm, BodyPoint, Mounting, Nearby, Sign, State, Step, StepContext, Track};
+use crate::position::{
+    Arm, BodyPoint, Cause, Mounting, Nearby, Sign, State, Step, StepContext, Track,
+};
 use crate::{Jet, Vector};
 
 /// A point of a body: 0 is the frame, 1 the crank, 2 and 3 are the links i and j.
-fn at(body: usize, x: f64, y: f64) -> BodyPoint {
+pub(in crate::position) fn at(body: usize, x: f64, y: f64) -> BodyPoint {
     let local = Vector::new(x, y);
     BodyPoint {
         body: BodyId::at(body),
@@ -36,7 +38,7 @@ fn side(body: usize, outer: BodyPoint) -> Side {
 }
 
 /// The origin of a body on a line.
-fn track(body: usize, line: BodyPoint) -> Track {
+pub(in crate::position) fn track(body: usize, line: BodyPoint) -> Track {
     Track {
         body: BodyId::at(body),
         line,
@@ -49,7 +51,13 @@ fn track(body: usize, line: BodyPoint) -> Track {
 }
 
 /// A point of a dyad with its first two derivatives by the crank angle, at a right angle.
-fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
+pub(in crate::position) fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
+    let place = solved(step, sign).unwrap().place(point);
+    [0, 1, 2].map(|order| [place.x(), place.y()].map(|jet| jet.derivative(order)))
+}
+
+/// The bodies after a step, with the crank at a right angle.
+fn solved(step: &Step, sign: Sign) -> Result<State<3>, Cause> {
     let mut state: State<3> = State::new(4, 1, 0, 10.0);
     let input = Jet::linear(FRAC_PI_2, 1.0);
     state.pin(BodyId::at(1), input, at(0, 0.0, 0.0), Vector::zeros());
@@ -66,9 +74,8 @@ fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
         near,
         mounting: &Mounting::planned(4),
     };
-    assert!(step.put(&mut state, &context).is_ok());
-    let place = state.place(point);
-    [0, 1, 2].map(|order| [place.x(), place.y()].map(|jet| jet.derivative(order)))
+    step.put(&mut state, &context)?;
+    Ok(state)
 }
 
 #[test]
@@ -114,5 +121,49 @@ fn places_and_derivatives() {
         let mut both = found.as_flattened().iter().zip(expected);
         let is_near = both.all(|(a, b)| b.is_nan() || (a - b).abs() < 1e-14);
         assert!(is_near, "{sign:?}: {found:?}, not {expected:?} by {step:?}");
+    }
+}
+
+/// B at (0, 1) and D at (5, 1) are 5 apart: arms of 1 and 3 are 1 too short, of 1 and 7 differ by 1 too much, and of 2
+/// and 3 are stretched. From (0, 3) a rod of 2 is 1 too short to reach the x-axis, and one of 3 just reaches it.
+#[test]
+fn dyads_out_of_reach_and_at_dead_points() {
+    let rrr = |lengths: [f64; 2], d: [f64; 2]| {
+        let [x, y] = d;
+        let arms = [
+            arm(2, at(1, 1.0, 0.0), lengths[0]),
+            arm(3, at(0, x, y), lengths[1]),
+        ];
+        Step::from(Rrr {
+            arms,
+            four_bar: None,
+        })
+    };
+    let rrp = |length: f64| {
+        Step::from(Rrp {
+            arm: arm(2, at(1, 3.0, 0.0), length),
+            track: track(3, at(0, 0.0, 0.0)),
+        })
+    };
+    // Two lines of the crank.
+    let tracks = [track(2, at(1, 0.0, 0.0)), track(3, at(1, 0.0, -2.0))];
+    for (step, expected) in [
+        (rrr([1.0, 3.0], [5.0, 1.0]), Cause::Apart { by: 1.0 }),
+        (rrr([1.0, 7.0], [5.0, 1.0]), Cause::Apart { by: 1.0 }),
+        (rrr([2.0, 3.0], [5.0, 1.0]), Cause::DeadPoint),
+        (rrr([3.0, 3.0], [0.0, 1.0]), Cause::Undetermined),
+        (rrp(2.0), Cause::OutOfReach { by: 1.0 }),
+        (rrp(3.0), Cause::DeadPoint),
+        (Step::from(Prp { tracks }), Cause::Parallel),
+    ] {
+        let found = solved(&step, Sign::Plus).map(drop).unwrap_err();
+        let is_same = match (found, expected) {
+            (Cause::Apart { by }, Cause::Apart { by: expected })
+            | (Cause::OutOfReach { by }, Cause::OutOfReach { by: expected }) => {
+                (by - expected).abs() < 1e-14
+            }
+            _ => found == expected,
+        };
+        assert!(is_same, "{found:?}, not {expected:?}");
     }
 }

@@ -193,3 +193,132 @@ impl Equation {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Jet;
+    use crate::position::Orientation;
+
+    fn values() -> [Complex<2>; 2] {
+        // A direction (0.6, 0.8) that turns at 1, and a vector (3, 4) that moves along x at 5.
+        let mut axis = Complex::constant(Vector::new(0.6, 0.8));
+        axis[1] = Vector::new(-0.8, 0.6);
+        let mut vector = Complex::constant(Vector::new(3.0, 4.0));
+        vector[1] = Vector::new(5.0, 0.0);
+        [axis, vector]
+    }
+
+    fn known(angle: f64) -> KnownAngle<2> {
+        let mut known = KnownAngle::zero();
+        known.angle = Jet::linear(angle, 1.0);
+        known.near.fill(Orientation {
+            angle: 0.0,
+            turn: Vector::x(),
+        });
+        known
+    }
+
+    /// Half of |v|² − 1; v·v′; the real and the imaginary part; 0.6·4 − 0.8·3 = 0, as the vector is along the axis;
+    /// 0.6·3 + 0.8·4 = 5 less the driven coordinate.
+    #[test]
+    fn residuals_and_rates_of_each_kind() {
+        let along = Equation::Along {
+            axis: 0,
+            vector: 1,
+            constraint: 0,
+        };
+        for (equation, residual, rate) in [
+            (Equation::Unit(0), 0.0, 0.0),
+            (Equation::Unit(1), 12.0, 15.0),
+            (Equation::Real(1), 3.0, 5.0),
+            (Equation::Imaginary(1), 4.0, 0.0),
+            // u × v′ + u′ × v = −0.8·5 + (−0.8·4 − 0.6·3).
+            (Equation::Line { axis: 0, vector: 1 }, 0.0, -9.0),
+            // u·v′ + u′·v = 0.6·5 + 0, and 1 of the coordinate.
+            (along, 5.0 - 2.0, 4.0),
+        ] {
+            let known = [known(-2.0)];
+            let found = equation.residual(&values(), &known);
+            assert!((found - residual).abs() < 1e-15, "{equation:?}: {found}");
+            let found = equation.coefficient(&values(), &known, 1);
+            assert!((found - rate).abs() < 1e-14, "{equation:?}: {found}");
+        }
+    }
+
+    /// The gradient of each form, times the rate of the form, gives the rate of the equation.
+    #[test]
+    fn gradients_times_rates_are_the_rate_of_the_equation() {
+        let turns = [Some((0, 3.0)), None, None];
+        for equation in [
+            Equation::Unit(1),
+            Equation::Real(1),
+            Equation::Imaginary(0),
+            Equation::Line { axis: 0, vector: 1 },
+            Equation::Along {
+                axis: 0,
+                vector: 1,
+                constraint: 0,
+            },
+            Equation::Angle {
+                turns,
+                constraint: 0,
+            },
+        ] {
+            let values = values();
+            let mut gradients = [Vector::zeros(); MAX_FORMS];
+            equation.gradients(&values, &mut gradients);
+            let forms = equation.forms().zip(gradients);
+            let rate: f64 = forms
+                .map(|(form, gradient)| gradient.dot(&values[form][1]))
+                .sum();
+            let at_rest = [KnownAngle::zero()];
+            let expected = equation.coefficient(&values, &at_rest, 1);
+            assert!(
+                (rate - expected).abs() < 1e-14,
+                "{equation:?}: {rate}, not {expected}"
+            );
+        }
+    }
+
+    /// 2θ with θ = 90° and θ′ = 1, and a known angle of −π with the rate 1: 0 with the rate 3.
+    #[test]
+    fn a_mesh_adds_angles_times_factors() {
+        let turn = Complex::turn(Jet::<2>::linear(std::f64::consts::FRAC_PI_2, 1.0));
+        let turns = [Some((0, 2.0)), None, None];
+        let mesh = Equation::Angle {
+            turns,
+            constraint: 0,
+        };
+        let known = [known(-std::f64::consts::PI)];
+        assert!(mesh.residual(&[turn], &known).abs() < 1e-15);
+        assert!((mesh.coefficient(&[turn], &known, 1) - 3.0).abs() < 1e-15);
+    }
+
+    /// (2 + p + 3u₀ + 4u₁) − (5 + p + 3u₀ + u₂) = −3 + 4u₁ − u₂, with an input p.
+    #[test]
+    fn terms_of_forms_that_cancel_are_left_out() {
+        let form = |constant: f64, unknowns: &[(usize, f64)]| Form {
+            constant: Vector::new(constant, 0.0),
+            inputs: vec![(1, Vector::x())],
+            unknowns: unknowns
+                .iter()
+                .map(|&(k, c)| (k, Vector::new(c, 0.0)))
+                .collect(),
+        };
+        let (one, other) = (
+            form(2.0, &[(0, 3.0), (1, 4.0)]),
+            form(5.0, &[(0, 3.0), (2, 1.0)]),
+        );
+        let difference = one.minus(&other);
+        assert_eq!(difference.constant, Vector::new(-3.0, 0.0));
+        assert_eq!(difference.inputs, []);
+        let expected = [(1, Vector::new(4.0, 0.0)), (2, Vector::new(-1.0, 0.0))];
+        assert_eq!(difference.unknowns, expected);
+        // i · i = −1.
+        assert_eq!(
+            one.by(Vector::y()).by(Vector::y()),
+            Form::default().minus(&one)
+        );
+    }
+}

@@ -116,4 +116,44 @@ mod tests {
         assert!((input - 3.0).abs() < 1e-14);
         assert!(task.closing_inputs(0, 2.0, 3.0).is_empty());
     }
+
+    /// Output 3 at 90° leaves p = (1, −3). An input along the frame, z₃, closes for (1 − z₃)² + 9 = z₁²: with z₁² =
+    /// 9.25 for 1/2 and 3/2, with z₁ = 3 for 1 only, and with z₁ = 5 for 5 (and −3).
+    #[test]
+    fn inputs_that_close_are_the_positive_roots_of_a_quadratic() {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let position = Position::new(90_f64.to_radians(), 0.0);
+        let task = Task::new(frame, &[position], Task::RATIOS).unwrap();
+        for (coupler, expected) in [
+            (9.25_f64.sqrt(), vec![0.5, 1.5]),
+            (5.0, vec![5.0]),
+            (2.9, vec![]),
+        ] {
+            let found = task.closing_inputs(0, coupler, 3.0);
+            assert_eq!(found.len(), expected.len(), "{coupler}: {found:?}");
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-14, "{coupler}: {found}");
+            }
+        }
+        assert!(task.closing_inputs(1, 5.0, 3.0).is_empty());
+    }
+
+    /// e₂ × r with e₂ = (0, 1) and r = (4, −3) is −4. The length of the output does not change it.
+    #[test]
+    fn the_side_of_the_joint_does_not_depend_on_the_length_of_the_output() {
+        let at = Direction {
+            output: Complex::new(0.0, 1.0),
+            input: Complex::new(-1.0, 0.0),
+            input_angle: std::f64::consts::PI,
+        };
+        for output in [3.0, 0.5] {
+            let gap = at.gap(output, 3.0);
+            assert_eq!(gap, Complex::new(4.0, -output));
+            assert_eq!(at.side(3.0), cross(at.output, gap));
+        }
+        assert_eq!(at.side(3.0), -4.0);
+    }
 }

@@ -109,3 +109,95 @@ impl Solution {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position, Proportions};
+
+    /// Output 3 at 90° and input 3 at 180° from the frame; a coupler of 5 closes (3-4-5).
+    fn solved(frame: Frame) -> (Task, Solution) {
+        let turned = |degrees: f64| degrees.to_radians() + frame.angle;
+        let positions = [Position::new(turned(90.0), turned(180.0))];
+        let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+        let proportions = Proportions {
+            coupler: 5.0,
+            output: 3.0,
+            input: 3.0,
+        };
+        let solution = Solution::new(&task, proportions);
+        (task, solution)
+    }
+
+    /// The frame from (0, 0) to (1, 0), B at (−3, 0) and C at (1, −3). With twice the lengths and turned through 90°, C
+    /// is at (6, 2).
+    #[test]
+    fn a_position_is_drawn_with_the_frame() {
+        for (length, angle, b, c, d) in [
+            (1.0, 0.0, [-3.0, 0.0], [1.0, -3.0], [1.0, 0.0]),
+            (
+                2.0,
+                90_f64.to_radians(),
+                [0.0, -6.0],
+                [6.0, 2.0],
+                [0.0, 2.0],
+            ),
+        ] {
+            let (task, solution) = solved(Frame { length, angle });
+            let found = solution.drawn(&task, 0).unwrap();
+            assert_eq!(found.a, Point::origin());
+            for (found, expected) in [
+                (found.b, b),
+                (found.c, c),
+                (found.coupler_end, c),
+                (found.d, d),
+            ] {
+                assert!(
+                    (found - Point::from(expected)).norm() < 1e-14,
+                    "{found}, not {expected:?}"
+                );
+            }
+            assert_eq!(solution.drawn(&task, 1), None);
+        }
+    }
+
+    /// The linkage has the same joints, in the assembly with the wanted output.
+    #[test]
+    fn the_linkage_is_drawn_in_the_first_position() {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let (task, solution) = solved(frame);
+        let spec = solution.spec(&task).unwrap();
+        let expected = [[0.0, 0.0], [-3.0, 0.0], [1.0, -3.0], [1.0, 0.0]];
+        for (point, expected) in spec.points.iter().zip(expected) {
+            assert!(
+                (point.at - Point::from(expected)).norm() < 1e-14,
+                "{point:?}"
+            );
+        }
+        assert_eq!(spec.points.len(), 4);
+    }
+
+    /// A coupler of 8 is longer than frame, output and input together, 1 + 3 + 3, by 1.
+    #[test]
+    fn lengths_that_form_no_linkage_are_not_drawn() {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let (task, solution) = solved(frame);
+        let proportions = Proportions {
+            coupler: 8.0,
+            ..solution.proportions
+        };
+        let found = Solution::new(&task, proportions).spec(&task);
+        let fault = crate::Fault::TooLong { by: 1.0 };
+        let dimension = crate::Dimension::Coupler;
+        assert_eq!(
+            found,
+            Err(DraftError::Lengths(vec![Invalid { dimension, fault }]))
+        );
+    }
+}

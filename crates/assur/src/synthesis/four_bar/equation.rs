@@ -43,3 +43,66 @@ impl Solution {
         equation.collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position, Proportions};
+
+    /// A task with a frame of length 1 along the x-axis, and φ₂ and φ₃ of its positions in degrees.
+    fn task(positions: &[[f64; 2]]) -> Task {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let position =
+            |[output, input]: &[f64; 2]| Position::new(output.to_radians(), input.to_radians());
+        let positions: Vec<Position> = positions.iter().map(position).collect();
+        Task::new(frame, &positions, Task::RATIOS).unwrap()
+    }
+
+    fn proportions(coupler: f64, output: f64, input: f64) -> Proportions {
+        Proportions {
+            coupler,
+            output,
+            input,
+        }
+    }
+
+    fn equation(z: Proportions, position: [f64; 2]) -> MainEquation {
+        let task = task(&[position]);
+        Solution::new(&task, z).main_equations(&task)[0]
+    }
+
+    /// Output 3 at 90°, input 3 at 180° and coupler 5 close (3-4-5): cos 90° = (25 − 9 − 9 − 1)/18 + 0 − 1/3.
+    #[test]
+    fn the_main_equation_of_a_right_triangle() {
+        let found = equation(proportions(5.0, 3.0, 3.0), [90.0, 180.0]);
+        assert_eq!(found.constant, 1.0 / 3.0);
+        assert_eq!(found.by_output, -1.0 / 3.0);
+        assert!(found.left.abs() < 1e-15 && found.by_input.abs() < 1e-15);
+        assert!((found.left - found.right()).abs() < 1e-15);
+    }
+
+    /// In a parallelogram the output points opposite to the input: −1 = −1 + cos φ₂/z + cos φ₃/z at any angle.
+    #[test]
+    fn the_main_equation_of_a_parallelogram_holds_at_any_angle() {
+        for angle in [0.0, 30.0, 77.0, 200.0] {
+            let found = equation(proportions(1.0, 0.5, 0.5), [angle + 180.0, angle]);
+            assert_eq!(found.constant, -1.0);
+            assert!((found.left - found.right()).abs() < 1e-14, "{found:?}");
+        }
+    }
+
+    /// Right less left is (z₁² − r²)/(2 z₂z₃) with the gap r, here 5: for a coupler of 6 it is (36 − 25)/18.
+    #[test]
+    fn the_sides_differ_by_the_gap_that_is_left() {
+        for (coupler, expected) in [(6.0, 11.0 / 18.0), (4.0, -0.5), (5.0, 0.0)] {
+            let found = equation(proportions(coupler, 3.0, 3.0), [90.0, 180.0]);
+            assert!(
+                (found.right() - found.left - expected).abs() < 1e-14,
+                "{found:?}"
+            );
+        }
+    }
+}

@@ -371,3 +371,6 @@ impl Family {
         (off.abs() <= tolerance::COINCIDENT * size).then(|| self.parameter(output, input))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -83,4 +83,23 @@ mod tests {
         assert_eq!(rising.meet(falling), Some([2.0, 1.0]));
         assert_eq!(rising.meet(line(2.0, -2.0, 1.0)), None);
     }
+
+    /// φ₂ from 60° to −60° leaves its cosine: u cos φ₃ alone is left, (1 − 1/2) u = 1/2 + 1/2, so z₂ is 1/2 for every
+    /// z₃.
+    #[test]
+    fn a_mirrored_output_leaves_the_length_of_the_input_free() {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let positions = [[60.0_f64, 0.0_f64], [-60.0, 60.0]];
+        let positions =
+            positions.map(|[output, input]| Position::new(output.to_radians(), input.to_radians()));
+        let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+        let line = Line::new(&task, [0, 1]);
+        assert_eq!(line.input, 0.0);
+        assert!((line.right / line.output - 2.0).abs() < 1e-14, "{line:?}");
+        let back = Line::new(&task, [1, 0]);
+        assert_eq!((back.output, back.right), (-line.output, -line.right));
+    }
 }

@@ -90,3 +90,81 @@ impl Task {
         [z1, z2, z3].iter().all(|z| (least..=greatest).contains(z))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position};
+
+    /// A task with a frame of length 1 along the x-axis, and φ₂ and φ₃ of its positions in degrees.
+    fn task(positions: &[[f64; 2]]) -> Task {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let position =
+            |[output, input]: &[f64; 2]| Position::new(output.to_radians(), input.to_radians());
+        let positions: Vec<Position> = positions.iter().map(position).collect();
+        Task::new(frame, &positions, Task::RATIOS).unwrap()
+    }
+
+    fn proportions(coupler: f64, output: f64, input: f64) -> Proportions {
+        Proportions {
+            coupler,
+            output,
+            input,
+        }
+    }
+
+    fn error(z: Proportions, output: f64) -> Option<f64> {
+        let task = task(&[[output, 180.0]]);
+        Solution::new(&task, z)
+            .output_error(&task)
+            .map(f64::to_degrees)
+    }
+
+    /// With the input 3 at 180° the diagonal is 4, and a coupler of 5 holds the output 3 at a right angle to it, on
+    /// either side.
+    #[test]
+    fn the_error_is_the_angle_to_the_nearer_assembly() {
+        for (output, expected) in [
+            (90.0, 0.0),
+            (80.0, 10.0),
+            (100.0, 10.0),
+            (-90.0, 0.0),
+            (-60.0, 30.0),
+        ] {
+            let found = error(proportions(5.0, 3.0, 3.0), output).unwrap();
+            assert!((found - expected).abs() < 1e-13, "{output}: {found}");
+        }
+    }
+
+    /// Over a diagonal of 4 with an output of 3, a coupler of 7 is stretched, one of 1 is folded, and others do not
+    /// reach.
+    #[test]
+    fn in_line_the_output_has_one_direction_and_beyond_none() {
+        for (coupler, expected) in [
+            (7.0, Some(90.0)),
+            (1.0, Some(90.0)),
+            (7.1, None),
+            (0.9, None),
+        ] {
+            let found = error(proportions(coupler, 3.0, 3.0), 90.0);
+            match (found, expected) {
+                (Some(found), Some(expected)) => {
+                    assert!((found - expected).abs() < 1e-5, "{found}")
+                }
+                (found, expected) => assert_eq!(found, expected, "{coupler}"),
+            }
+        }
+    }
+
+    /// The greatest of the errors 0° and 10° of two positions counts.
+    #[test]
+    fn the_worst_position_counts() {
+        let task = task(&[[90.0, 180.0], [80.0, 180.0]]);
+        let solution = Solution::new(&task, proportions(5.0, 3.0, 3.0));
+        let found = solution.output_error(&task).unwrap();
+        assert!((found.to_degrees() - 10.0).abs() < 1e-13, "{found}");
+    }
+}

@@ -111,3 +111,63 @@ fn sine(turn: f64) -> f64 {
         sine
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn angles(degrees: [f64; 3]) -> Angles {
+        let [coupler, output, input] = degrees.map(f64::to_radians);
+        Angles {
+            frame: 0.0,
+            coupler,
+            output,
+            input,
+        }
+    }
+
+    /// Coupler at 45°, output at 90°, input along the frame: z₁/√2 + z₃ = 1 and z₁/√2 + z₂ = 0, solved for each two.
+    #[test]
+    fn two_lengths_are_linear_functions_of_the_third() {
+        let (root, half) = (2_f64.sqrt(), 0.5_f64.sqrt());
+        for (third, constant, slope) in [
+            (Unknown::Coupler, [0.0, 1.0], [-half, -half]),
+            (Unknown::Output, [0.0, 1.0], [-root, 1.0]),
+            (Unknown::Input, [root, -1.0], [-root, 1.0]),
+        ] {
+            let found = angles([45.0, 90.0, 0.0]).subsystem(third).unwrap();
+            for k in 0..2 {
+                assert!((found.constant[k] - constant[k]).abs() < 1e-15, "{found:?}");
+                assert!((found.slope[k] - slope[k]).abs() < 1e-15, "{found:?}");
+            }
+            assert!(!found.of.contains(&third));
+        }
+    }
+
+    /// Two links in one line or opposite to each other do not determine two lengths.
+    #[test]
+    fn parallel_links_leave_no_two_lengths() {
+        for input in [30.0, 210.0, 390.0] {
+            let parallel = angles([75.0, 30.0, input]);
+            assert_eq!(parallel.subsystem(Unknown::Coupler), None, "{input}");
+            assert!(parallel.subsystem(Unknown::Output).is_some());
+        }
+        assert_eq!(
+            angles([f64::NAN, 0.0, 1.0]).subsystem(Unknown::Output),
+            None
+        );
+    }
+
+    /// Along the frame, an output has no component across it: rounding of sin 180° gives P and Q no sign.
+    #[test]
+    fn the_sine_of_half_turns_is_exactly_zero() {
+        for turns in [0.0, 1.0, -1.0, 2.0, 7.0] {
+            assert_eq!(sine(turns * std::f64::consts::PI), 0.0);
+        }
+        assert_eq!(sine(0.5 * std::f64::consts::PI), 1.0);
+        let found = angles([45.0, 90.0, 180.0])
+            .subsystem(Unknown::Output)
+            .unwrap();
+        assert_eq!(found.constant[0], 0.0);
+    }
+}

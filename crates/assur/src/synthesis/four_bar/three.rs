@@ -115,4 +115,53 @@ mod tests {
         }
         assert!(found.worst_residual() < 1e-14);
     }
+
+    fn found(positions: [[f64; 2]; 3], turned: f64) -> ThreePositions {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let positions = positions.map(|[output, input]| Position::new(output + turned, input));
+        let task = Task::new(frame, &positions, Task::RATIOS).unwrap();
+        ThreePositions::new(&task).unwrap()
+    }
+
+    /// The output's angles of [`from_triangles`], given from pivot to joint: z₂ = 3/4 with a negative sign, and z₃ =
+    /// 1/4.
+    #[test]
+    fn an_output_given_in_the_opposite_direction_has_a_negative_length() {
+        let positions = [
+            [FRAC_PI_2, 0.75_f64.atan()],
+            [(-2.0_f64 / 3.0).acos(), PI + (2.0_f64 / 3.0).acos()],
+            [PI - (4.0_f64 / 3.0).atan(), PI],
+        ];
+        let ThreePositions::Negative { output, input } = found(positions, 0.0) else {
+            panic!("not negative")
+        };
+        assert!((output + 0.75).abs() < 1e-13 && (input - 0.25).abs() < 1e-13);
+        let ThreePositions::One(solution) = found(positions, PI) else {
+            panic!("not one")
+        };
+        assert!((solution.proportions.coupler - 1.0).abs() < 1e-13);
+    }
+
+    /// A position and its mirror image in the frame have equal gaps whatever the lengths: only one line is left.
+    #[test]
+    fn a_mirrored_position_adds_no_condition() {
+        let positions = [[1.0, 0.5], [-1.0, -0.5], [2.0, 1.2]];
+        assert!(matches!(found(positions, 0.0), ThreePositions::Same(_)));
+    }
+
+    /// With φ₃ at 90° throughout, v cos φ₂ = sin φ₂ + constant. φ₂ of 0°, 90° and 180° requires v = −1 and 2v = 0.
+    #[test]
+    fn parallel_lines_leave_no_linkage() {
+        let positions = [[0.0, FRAC_PI_2], [FRAC_PI_2, FRAC_PI_2], [PI, FRAC_PI_2]];
+        let ThreePositions::None(lines) = found(positions, 0.0) else {
+            panic!("not none")
+        };
+        for (line, [input, right]) in lines.into_iter().zip([[1.0, -1.0], [2.0, 0.0]]) {
+            assert_eq!(line.output, 0.0);
+            assert!((line.input - input).abs() < 1e-15 && (line.right - right).abs() < 1e-15);
+        }
+    }
 }

@@ -105,3 +105,57 @@ impl<const N: usize> Descent<N> {
         self.over = self.damping > 1.0 / tolerance::CONVERGED;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position, Task};
+
+    /// Three poses of the four-bar 1, 4, 3, 4 from triangles, so z₁, z₂ and z₃ are 1, 3/4 and 1/4.
+    fn descent(start: [f64; 2], ratios: [f64; 2]) -> (Objective, Descent<2>) {
+        let poses = [
+            (0.75_f64.atan(), FRAC_PI_2),
+            (PI + (2.0_f64 / 3.0).acos(), (-2.0_f64 / 3.0).acos()),
+            (PI, PI - (4.0_f64 / 3.0).atan()),
+        ];
+        let positions = poses.map(|(input, rocker)| Position::new(rocker + PI, input));
+        let frame = Frame {
+            length: 4.0,
+            angle: 0.0,
+        };
+        let objective = Objective::new(&Task::new(frame, &positions, ratios).unwrap());
+        let mut descent = Descent::new(&objective, start.map(f64::ln));
+        while !descent.over {
+            let before = descent.here.value;
+            descent.step(&objective);
+            assert!(descent.here.value <= before);
+        }
+        (objective, descent)
+    }
+
+    #[test]
+    fn a_descent_beside_an_exact_linkage_ends_at_it() {
+        let (objective, descent) = descent([0.8, 0.3], Task::RATIOS);
+        assert!(descent.here.value < 1e-28, "{:?}", descent.here);
+        let found = objective.proportions(&descent.x);
+        for (z, expected) in found.z().into_iter().zip([1.0, 0.75, 0.25]) {
+            assert!((z - expected).abs() < 1e-12, "{found:?}");
+        }
+    }
+
+    /// With z₃ of at least 0.3 the exact linkage is out of bounds, and a minimum at this bound is left.
+    #[test]
+    fn a_length_stays_at_its_bound_if_the_sum_falls_beyond_it() {
+        let (objective, descent) = descent([0.8, 0.5], [0.3, 10.0]);
+        let found = objective.proportions(&descent.x);
+        assert_eq!(found.input, 0.3);
+        assert!(
+            descent.here.value > 1e-6 && descent.here.gradient[1] > 0.0,
+            "{:?}",
+            descent.here
+        );
+        assert!(descent.here.gradient[0].abs() < 1e-9, "{:?}", descent.here);
+    }
+}

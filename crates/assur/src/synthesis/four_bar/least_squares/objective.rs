@@ -158,3 +158,59 @@ impl Objective {
 fn one() -> Complex<f64> {
     Complex::new(1.0, 0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position};
+
+    /// Output 90° and input 180°, then output 180° and input 0°. With z₂ = z₃ = 3 the gaps are (4, −3) and (1, 0).
+    fn objective(weights: [f64; 2], ratios: [f64; 2]) -> Objective {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let mut positions = [Position::new(FRAC_PI_2, PI), Position::new(PI, 0.0)];
+        for (position, weight) in positions.iter_mut().zip(weights) {
+            position.weight = weight;
+        }
+        Objective::new(&Task::new(frame, &positions, ratios).unwrap())
+    }
+
+    /// Gaps of 5 and 1: the best coupler is their weighted mean, if it is within its bounds.
+    #[test]
+    fn the_best_coupler_is_the_mean_of_the_gaps() {
+        for (weights, ratios, coupler, value) in [
+            ([1.0, 1.0], [0.1, 10.0], 3.0, 4.0),
+            ([3.0, 1.0], [0.1, 10.0], 4.0, 3.0),
+            ([1.0, 1.0], [0.1, 2.0], 2.0, 5.0),
+        ] {
+            let found = objective(weights, ratios).value(&[3_f64.ln(); 2]);
+            assert!((found.0 - value).abs() < 1e-13, "{weights:?}: {found:?}");
+            assert!((found.1 - coupler).abs() < 1e-14, "{weights:?}: {found:?}");
+        }
+    }
+
+    /// By ln z₂ the gaps change by (4, −3)·(0, −3)/5 = 9/5 and 3, by ln z₃ by 12/5 and −3, by the angles of output and
+    /// input by 12/5 and 0, and by −9/5 and 0. The mean of 2(|r| − z₁)∂|r| with |r| − z₁ = ±2 is their difference times
+    /// 2.
+    #[test]
+    fn the_gradient_from_the_changes_of_the_gaps() {
+        let found = objective([1.0; 2], Task::RATIOS).at(&[3_f64.ln(), 3_f64.ln(), 0.0, 0.0]);
+        let expected = [2.0 * (1.8 - 3.0), 2.0 * (2.4 + 3.0), 2.0 * 2.4, 2.0 * -1.8];
+        for (slope, expected) in found.gradient.into_iter().zip(expected) {
+            assert!((slope - expected).abs() < 1e-13, "{:?}", found.gradient);
+        }
+    }
+
+    /// A length at a bound is this bound exactly, not the exponential of its logarithm.
+    #[test]
+    fn lengths_at_a_bound_equal_the_bound() {
+        let objective = objective([1.0; 2], Task::RATIOS);
+        let [low, high] = objective.bounds();
+        let found = objective.with_coupler(&[low, high], 2.0);
+        assert_eq!(found.z(), [2.0, 0.1, 10.0]);
+    }
+}

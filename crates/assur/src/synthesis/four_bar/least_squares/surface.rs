@@ -27,3 +27,48 @@ impl Surface {
         (x.iter().all(|x| x.is_finite()) && value.is_finite()).then_some(value)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position};
+
+    /// With z₂ = z₃ = 3 the gaps of the two positions are (4, −3) and (1, 0), 5 and 1.
+    fn surface(weights: [f64; 2], ratios: [f64; 2]) -> Surface {
+        let frame = Frame {
+            length: 1.0,
+            angle: 0.0,
+        };
+        let mut positions = [Position::new(FRAC_PI_2, PI), Position::new(PI, 0.0)];
+        for (position, weight) in positions.iter_mut().zip(weights) {
+            position.weight = weight;
+        }
+        Surface::new(&Task::new(frame, &positions, ratios).unwrap())
+    }
+
+    /// The best coupler 3 leaves 4 + 4; with the weights 3 and 1 the best is 4 and leaves 3·1 + 9; bounded by 2 it
+    /// leaves 9 + 1.
+    #[test]
+    fn the_surface_is_the_weighted_sum_of_squared_gaps_that_are_left() {
+        for (weights, ratios, expected) in [
+            ([1.0, 1.0], [0.1, 10.0], 8.0),
+            ([3.0, 1.0], [0.1, 10.0], 12.0),
+            ([6.0, 2.0], [0.1, 10.0], 24.0),
+            ([1.0, 1.0], [0.1, 2.0], 10.0),
+        ] {
+            let found = surface(weights, ratios).value(3.0, 3.0).unwrap();
+            assert!((found - expected).abs() < 1e-12, "{weights:?}: {found}");
+        }
+    }
+
+    #[test]
+    fn lengths_that_are_not_positive_have_no_value() {
+        let surface = surface([1.0; 2], Task::RATIOS);
+        for length in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(surface.value(length, 1.0), None);
+            assert_eq!(surface.value(1.0, length), None);
+        }
+    }
+}

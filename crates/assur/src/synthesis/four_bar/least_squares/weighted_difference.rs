@@ -35,3 +35,60 @@ pub fn weighted_difference(task: &Task) -> Option<Proportions> {
             input,
         })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use super::*;
+    use crate::synthesis::four_bar::{Frame, Position};
+
+    fn task(positions: &[Position]) -> Task {
+        let frame = Frame {
+            length: 4.0,
+            angle: 0.0,
+        };
+        Task::new(frame, positions, Task::RATIOS).unwrap()
+    }
+
+    /// Poses of the four-bar 1, 4, 3, 4 from triangles 3-4-5, 3-3-4 and 3-4-5 (crank at 180°), and the second of them
+    /// mirrored in the frame: exact positions are met whatever their weights.
+    #[test]
+    fn exact_positions_give_the_linkage_back() {
+        let poses = [
+            (0.75_f64.atan(), FRAC_PI_2),
+            (PI + (2.0_f64 / 3.0).acos(), (-2.0_f64 / 3.0).acos()),
+            (PI, PI - (4.0_f64 / 3.0).atan()),
+            (-PI - (2.0_f64 / 3.0).acos(), -(-2.0_f64 / 3.0).acos()),
+        ];
+        for weights in [[1.0; 4], [1.0, 5.0, 0.1, 2.0]] {
+            let mut positions = poses.map(|(input, rocker)| Position::new(rocker + PI, input));
+            for (position, weight) in positions.iter_mut().zip(weights) {
+                position.weight = weight;
+            }
+            let found = weighted_difference(&task(&positions)).unwrap();
+            for (z, expected) in found.z().into_iter().zip([1.0, 0.75, 0.25]) {
+                assert!((z - expected).abs() < 1e-13, "{found:?}");
+            }
+        }
+    }
+
+    /// In a parallelogram cos φ₂ = −cos φ₃, so only the difference of 1/z₃ and 1/z₂ is determined.
+    #[test]
+    fn positions_of_a_parallelogram_do_not_determine_its_lengths() {
+        let positions = [0.3, 0.9, 1.4, 2.0].map(|input| Position::new(input + PI, input));
+        assert_eq!(weighted_difference(&task(&positions)), None);
+    }
+
+    /// An output given from pivot to joint would need a negative length.
+    #[test]
+    fn a_negative_length_is_no_solution() {
+        let poses = [
+            (0.75_f64.atan(), FRAC_PI_2),
+            (PI + (2.0_f64 / 3.0).acos(), (-2.0_f64 / 3.0).acos()),
+            (PI, PI - (4.0_f64 / 3.0).atan()),
+        ];
+        let positions = poses.map(|(input, rocker)| Position::new(rocker, input));
+        assert_eq!(weighted_difference(&task(&positions)), None);
+    }
+}

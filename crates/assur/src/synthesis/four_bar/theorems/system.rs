@@ -124,3 +124,62 @@ impl System {
         best
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn angles(degrees: [f64; 3]) -> Angles {
+        let [coupler, output, input] = degrees.map(f64::to_radians);
+        Angles {
+            frame: 0.0,
+            coupler,
+            output,
+            input,
+        }
+    }
+
+    /// Coupler along the frame, output up, input back: (z₁ − z₃ − 1)² + z₂². With (3, 4, 0) it is 4 + 16.
+    #[test]
+    fn the_functional_is_the_square_of_the_gap() {
+        let one = angles([0.0, 90.0, 180.0]);
+        let system = System::new(&[one]).unwrap();
+        for (z, expected) in [
+            ([1.0, 0.0, 0.0], 0.0),
+            ([0.0, 0.0, 0.0], 1.0),
+            ([3.0, 4.0, 0.0], 20.0),
+            ([3.0, 4.0, 2.0], 16.0),
+        ] {
+            assert!((functional(&one, z) - expected).abs() < 1e-14, "{z:?}");
+            assert!((system.value(z) - expected).abs() < 1e-14, "{z:?}");
+        }
+    }
+
+    /// Scalar products of the directions; those of one position have rank 2, so there is no single minimum.
+    #[test]
+    fn one_position_has_many_minima() {
+        let system = System::new(&[angles([0.0, 90.0, 180.0])]).unwrap();
+        let expected = [[1.0, 0.0, -1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 1.0]];
+        for (row, expected) in system.matrix.iter().zip(expected) {
+            assert!(
+                (0..3).all(|k| (row[k] - expected[k]).abs() < 1e-15),
+                "{row:?}"
+            );
+        }
+        assert_eq!((system.rank, system.augmented_rank()), (2, 2));
+        assert_eq!(system.minimum(), None);
+        assert!(system.positive_minimum().value < 1e-15);
+        assert_eq!(System::new(&[]), None);
+    }
+
+    /// Input up, then back: 2z₁ − z₃ = 2, 2z₂ + z₃ = 0 and −z₁ + z₂ + 2z₃ = −1 have the solution (1, 0, 0).
+    #[test]
+    fn two_positions_have_one_minimum() {
+        let system = System::new(&[angles([0.0, 90.0, 90.0]), angles([0.0, 90.0, 180.0])]).unwrap();
+        assert_eq!((system.rank, system.augmented_rank()), (3, 3));
+        let minimum = system.minimum().unwrap();
+        for (found, expected) in minimum.into_iter().zip([1.0, 0.0, 0.0]) {
+            assert!((found - expected).abs() < 1e-15, "{minimum:?}");
+        }
+    }
+}

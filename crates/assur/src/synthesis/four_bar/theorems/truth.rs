@@ -149,3 +149,89 @@ fn parallel(angles: &Angles) -> Truth {
         coupler: closes.then_some(z),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn angles(degrees: [f64; 3]) -> Angles {
+        let [coupler, output, input] = degrees.map(f64::to_radians);
+        Angles {
+            frame: 0.0,
+            coupler,
+            output,
+            input,
+        }
+    }
+
+    /// Coupler 90°, output −45°, input 225°: z₂ − z₃ = √2 and z₁ = (z₂ + z₃)/√2, which exceeds 1. Coupler 45°, output
+    /// −45°, input 90°: z₂ = √2 − z₁ and z₃ = 1 − √2 z₁.
+    #[test]
+    fn the_range_of_the_coupler_by_positive_lengths() {
+        for (degrees, from, to) in [
+            ([90.0, -45.0, 225.0], 1.0, None),
+            ([45.0, -45.0, 90.0], 0.0, Some(0.5_f64.sqrt())),
+        ] {
+            let Some(Truth::Between {
+                from: low,
+                to: high,
+            }) = truth(&angles(degrees))
+            else {
+                panic!("no range")
+            };
+            assert!((low - from).abs() < 1e-15, "{degrees:?}: {low}");
+            assert_eq!(high.is_some(), to.is_some());
+            assert!(
+                (high.unwrap_or(0.0) - to.unwrap_or(0.0)).abs() < 1e-15,
+                "{high:?}"
+            );
+        }
+    }
+
+    /// e₀ is in the cone of the three vectors if those next to it on either side are less than 180° apart.
+    #[test]
+    fn lengths_close_if_the_frame_is_within_the_cone() {
+        for (degrees, gap, holds) in [
+            ([90.0, -45.0, 225.0], Some(135.0), true),
+            ([45.0, -45.0, 90.0], Some(90.0), true),
+            ([120.0, -90.0, 150.0], Some(210.0), false),
+            ([45.0, 90.0, 135.0], None, false),
+        ] {
+            let angles = angles(degrees);
+            let found = opening(&angles).map(f64::to_degrees);
+            assert_eq!(found.is_some(), gap.is_some(), "{degrees:?}");
+            assert!(
+                (found.unwrap_or(0.0) - gap.unwrap_or(0.0)).abs() < 1e-12,
+                "{found:?}"
+            );
+            assert_eq!(truth(&angles).unwrap().holds(), holds, "{degrees:?}");
+        }
+    }
+
+    /// Output up and input down: a coupler at 60° must reach 1 along the frame, z₁ cos 60° = 1. One at 120° never does.
+    #[test]
+    fn parallel_output_and_input_leave_one_coupler() {
+        let Some(Truth::Parallel { coupler: Some(z) }) = truth(&angles([60.0, 90.0, -90.0])) else {
+            panic!("no coupler")
+        };
+        assert!((z - 2.0).abs() < 1e-14, "{z}");
+        let none = Some(Truth::Parallel { coupler: None });
+        assert_eq!(truth(&angles([120.0, 90.0, -90.0])), none);
+    }
+
+    /// In line: 1 = ±z₁ ± z₂ ± z₃ with the signs of the directions.
+    #[test]
+    fn links_in_line_add_up_with_signs() {
+        for (degrees, range) in [
+            ([0.0, 0.0, 0.0], Some((0.0, Some(1.0)))),
+            ([0.0, 0.0, 180.0], Some((0.0, None))),
+            ([180.0, 0.0, 0.0], Some((0.0, None))),
+            ([0.0, 180.0, 180.0], Some((1.0, None))),
+            ([180.0, 180.0, 180.0], None),
+            ([90.0, 90.0, 90.0], None),
+        ] {
+            let found = truth(&angles(degrees));
+            assert_eq!(found, Some(Truth::InLine { range }), "{degrees:?}");
+        }
+    }
+}
