@@ -60,7 +60,7 @@ impl Circles {
             spin: w,
             diameter,
             ball: (diameter.norm() > tolerance::NEGLIGIBLE * size)
-                .then(|| ball(pole, diameter, p1 * (e / w) - p2 - perpendicular(p1) * w))
+                .then(|| ball(pole, diameter, [p1 * (e / w), -p2, -perpendicular(p1) * w]))
                 .flatten(),
         })
     }
@@ -83,8 +83,15 @@ impl Circles {
     }
 }
 
-/// Ball's point: the intersection of the inflection circle with the line through the pole in the direction `along`.
-fn ball(pole: Point, diameter: Vector, along: Vector) -> Option<Point> {
+/// Ball's point: the intersection of the inflection circle with the line through the pole whose direction is the sum of
+/// the terms. None if the sum is only rounding error: all points of the circle then have straight paths to the third
+/// order.
+fn ball(pole: Point, diameter: Vector, terms: [Vector; 3]) -> Option<Point> {
+    let along: Vector = terms.iter().sum();
+    let size: f64 = terms.iter().map(Vector::norm).sum();
+    if along.norm() <= tolerance::NEGLIGIBLE * size {
+        return None;
+    }
     let share = diameter.dot(&along) / along.norm_squared();
     let ball = pole + along * share;
     ball.coords.norm_squared().is_finite().then_some(ball)
@@ -92,6 +99,8 @@ fn ball(pole: Point, diameter: Vector, along: Vector) -> Option<Point> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
     use crate::curvature::Curvature;
     use crate::linkage::LinkageSpec;
@@ -123,6 +132,33 @@ mod tests {
     /// A slider-crank with crank 3 and rod 5, stretched out. The pole of the rod is the slider at (8, 0), and θ′ =
     /// −3/5. The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along it. The paths of all points of the
     /// inflection circle are straight to the third order.
+    /// At a dead centre of a slider-crank, the paths of all points of the inflection circle are straight to the third
+    /// order, whatever the lengths.
+    #[test]
+    fn a_slider_crank_in_a_dead_centre_has_no_ball_point() {
+        for (crank, rod) in [(1.0, 3.0), (-1.0, 3.0), (2.0, 7.0), (-2.0, 7.0), (3.0, 5.0)] {
+            let slider_crank = LinkageSpec::default()
+                .point("A", 0.0, 0.0)
+                .point("B", crank, 0.0)
+                .point("C", crank + rod, 0.0)
+                .point("E", 19.0, 0.0)
+                .fixed(&["A", "E"])
+                .bar("crank", &["A", "B"])
+                .bar("rod", &["B", "C"])
+                .bar("slider", &["C"])
+                .slide("slider", "C", "frame", ["A", "E"])
+                .crank("crank");
+            let motion = Motion::new(Mechanism::new(&slider_crank).unwrap());
+            let mechanism = motion.mechanism();
+            let pose = motion
+                .pose::<4>(if crank > 0.0 { 0.0 } else { PI })
+                .unwrap();
+            let rod = mechanism.body_of(mechanism.link("rod"));
+            let circles = Circles::of(mechanism, &pose, rod).unwrap();
+            assert_eq!(circles.ball, None, "crank {crank}");
+        }
+    }
+
     #[test]
     fn circles_of_a_stretched_slider_crank() {
         let slider_crank = LinkageSpec::default()
