@@ -39,7 +39,7 @@ export class Engine {
   lengths = "none";
   /** Whether the document may choose the unit of lengths. */
   choosesLengths = false;
-  catalogue = new Catalogue(module.catalogue());
+  catalogue = new Catalogue(module.mixers(), () => this.functions.catalogue());
   /** Names of the read-outs. */
   names = new Names([]);
 

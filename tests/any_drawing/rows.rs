@@ -2,6 +2,7 @@
 //! the linkage, neighbouring rows follow from each other, and the motion ends only in singular poses.
 
 use std::f64::consts::TAU;
+use std::iter::successors;
 
 use assur::mechanism::Pose;
 use assur::motion::{Column, DeadPointKind};
@@ -317,6 +318,12 @@ fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
             // Two branches that nearly meet look smooth until one is close: then shorter steps follow.
             width *= 0.5;
             if width < 1e-3 * margin {
+                if !is_determined(subject, row) {
+                    tally.open("row beside a fold");
+                    let beyond = determined_after(subject, row.input, margin, to - margin);
+                    let Some(beyond) = beyond else { return };
+                    break Row::at(subject, beyond);
+                }
                 let text = format!("beyond {} of {from} to {to}: {met}", row.input);
                 return tally.fail("rows do not follow", text, None);
             }
@@ -324,6 +331,23 @@ fn joined(subject: &Subject, random: &mut Random, tally: &mut Tally) {
         start = row.input;
         here = next;
     }
+}
+
+/// Whether a row is determined to first order. Beside a fold that is just avoided it is not: two branches nearly meet, and
+/// rounding errors move the pose as far as its Taylor series converges.
+fn is_determined(subject: &Subject, row: &Row) -> bool {
+    let error = uncertainty(1.0, subject.equations.shortest(), 1.0);
+    determined(subject.equations.condition(&row.shown), error)
+}
+
+/// The first input before `end` at which a row is determined again or missing, at distances that double.
+fn determined_after(subject: &Subject, input: f64, first: f64, end: f64) -> Option<f64> {
+    let widths = successors(Some(first), |width| Some(2.0 * width));
+    let mut inputs = widths.map(|width| input + width);
+    let found = inputs.find(|input| {
+        *input >= end || Row::at(subject, *input).is_none_or(|row| is_determined(subject, &row))
+    });
+    found.filter(|input| *input < end)
 }
 
 /// What does not follow, and by how much.

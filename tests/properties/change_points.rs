@@ -227,18 +227,18 @@ fn isosceles_slider_crank() {
     }
 }
 
-/// A slotted lever that comes to stand across the line of centres: Taylor's series at the change point tells the poses
-/// around it.
-#[test]
-fn slotted_lever() {
-    // The pin at (2, 0) is as near to the pivot (3, 0) as the slot is: the slot is then across x.
+/// A slotted lever on a pivot at (3, 0), at a distance from its slot. Its pin, on a crank of 2, is as near as 1 to the pivot.
+fn slotted(distance: f64) -> Motion {
     let at: f64 = 1.0;
     let [bx, by] = [2.0 * at.cos(), 2.0 * at.sin()];
     let [x, y] = [bx - 3.0, by];
     let square = x * x + y * y;
-    let run = (square - 1.0).sqrt();
-    // Along the slot (ux, uy), the pivot at 1 to its side.
-    let [ux, uy] = [(x * run - y) / square, (x + y * run) / square];
+    let run = (square - distance * distance).sqrt();
+    // Along the slot, with the pivot to its side.
+    let [ux, uy] = [
+        (x * run - y * distance) / square,
+        (x * distance + y * run) / square,
+    ];
     let draft = LinkageSpec::default()
         .point("A", 0.0, 0.0)
         .point("B", bx, by)
@@ -251,7 +251,14 @@ fn slotted_lever() {
         .bar("lever", &["D", "P", "Q"])
         .slide("block", "B", "lever", ["P", "Q"])
         .crank("crank");
-    let motion = motion(&draft);
+    motion(&draft)
+}
+
+/// A slotted lever that comes to stand across the line of centres: Taylor's series at the change point tells the poses
+/// around it.
+#[test]
+fn slotted_lever() {
+    let motion = slotted(1.0);
     // It is back after two turns.
     let [at, _] = motion.change_points()[..] else {
         panic!("{:?} {:?}", motion.change_points(), motion.dead_points())
@@ -272,6 +279,30 @@ fn slotted_lever() {
             off < 1e-13 + 100.0 * way.powi(6),
             "{way:e} beside {at}: {off:e}"
         );
+    }
+}
+
+/// The same with a pivot too far from the slot by 2e-13, which counts as rounding. With B − D = d and the crank at φ, the
+/// slot has the direction arg d + atan2(1, √24 sin(φ/2)), because d² = 1 + 24 sin²(φ/2).
+#[test]
+fn slotted_lever_across_but_for_rounding() {
+    let motion = slotted(1.0 + 2e-13);
+    let at = motion.change_points()[0];
+    // Where the root is interpolated; beyond, it is that of d² less the square of the distance.
+    let ways = WAYS.into_iter().filter(|way| *way < 0.1);
+    for way in ways.flat_map(|way| [way, -way]) {
+        let crank = Jet::<6>::linear(at + way, 1.0);
+        let [(sine, cosine), (half, _)] = [crank, crank * 0.5].map(Jet::sin_cos);
+        let diagonal = (sine * 2.0).atan2(cosine * 2.0 + -3.0);
+        let slot = diagonal + Jet::constant(1.0).atan2(half * 24_f64.sqrt());
+        let found = angle(&motion, "lever", at + way);
+        for (order, tolerance) in TOLERANCE.into_iter().enumerate().skip(1) {
+            let off = (found.derivative(order) - slot.derivative(order)).abs();
+            assert!(
+                off < tolerance,
+                "order {order}, {way:e} beside {at}: {off:e}"
+            );
+        }
     }
 }
 

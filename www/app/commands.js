@@ -87,7 +87,7 @@ function motionCommands(page) {
   };
 
   // The preset to which a mechanism is reset: the one shown last, or else the first of the catalogue.
-  const [first] = engine.catalogue.presets;
+  const [first] = engine.catalogue.mixers;
   let preset = first;
   const note = (/** @type {import("assur/state/state.js").State} */ state) => {
     if (state.kind === first.kind) preset = engine.catalogue.presetOf(state) ?? preset;

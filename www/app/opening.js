@@ -176,6 +176,6 @@ export async function open(engine, habits) {
     failures.push(failure);
   }
   const { calm, lang } = habits;
-  const [{ kind, document }] = engine.catalogue.presets;
+  const [{ kind, document }] = engine.catalogue.mixers;
   return { state: initialState(kind, document, { playing: !calm, lang }), failures };
 }

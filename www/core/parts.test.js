@@ -32,7 +32,7 @@ const refusal = (code) => ({ problems: [{ code }] });
 
 test("a first view needs the first part only; the rest is loaded once, when something needs it", () => {
   const engine = new Engine();
-  const [{ id }] = engine.catalogue.presets;
+  const [{ id }] = engine.catalogue.mixers;
   const { home } = engine.set(stateOf(engine, id));
   engine.simulator.scene();
   engine.at(engine.simulator.advance(home, 0.1)[0]);

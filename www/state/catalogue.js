@@ -7,9 +7,21 @@ import { contains } from "assur/state/state.js";
  */
 
 export class Catalogue {
-  /** @param {readonly Preset[]} presets */
-  constructor(presets) {
-    this.presets = presets;
+  #all;
+  /** @type {readonly Preset[] | null} */
+  #presets = null;
+
+  /**
+   * @param {readonly Preset[]} mixers the mixers, which come first; a first view needs no others
+   * @param {() => readonly Preset[]} all gives all presets
+   */
+  constructor(mixers, all) {
+    this.mixers = mixers;
+    this.#all = all;
+  }
+
+  get presets() {
+    return (this.#presets ??= this.#all());
   }
 
   /**
@@ -26,10 +38,11 @@ export class Catalogue {
    */
   presetOf({ kind, document }) {
     if ("origin" in document) return this.preset(document.origin ?? "");
-    return this.presets.find((preset) => {
+    const isOf = (/** @type {Preset} */ preset) => {
       const { tracers, ...dimensions } = /** @type {{ tracers?: unknown }} */ (preset.document);
       return preset.kind === kind && contains(document, dimensions);
-    });
+    };
+    return this.mixers.find(isOf) ?? this.presets.find(isOf);
   }
 
   /**

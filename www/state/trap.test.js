@@ -31,7 +31,7 @@ const METHODS = {
 /** What each function of the module is called with. */
 const FUNCTIONS = {
   blank: [], catalogue: [], checkKeys: ["{}"], functionPositions: [FUNCTION, 3, false], isImport: ["{}"], numbersOf: [state], qrCode: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
-  shelves: [], task: [1], defaultView: [],
+  shelves: [], task: [1], defaultView: [], mixers: [],
 };
 
 /** Those with two simulators have a test of their own. */

@@ -176,6 +176,14 @@ pub fn trains() -> impl Iterator<Item = &'static str> {
     TRAINS.iter().map(|(name, _)| *name)
 }
 
+/// The mixers of the catalogue, which come first in it.
+pub fn mixers() -> [Preset; 3] {
+    MIXERS.map(|(id, case)| Preset {
+        id,
+        document: mixer(case),
+    })
+}
+
 /// Every document of the catalogue.
 ///
 /// # Errors

@@ -24,7 +24,7 @@ mod view;
 
 pub use catalogue::{
     GalleryCategory, Preset, Shelf, catalogue, document, document_of, from_catalogue, from_text,
-    gallery, presets, schemes, shelves, trains,
+    gallery, mixers, presets, schemes, shelves, trains,
 };
 pub use kinds::draft::DraftDocument;
 pub use kinds::gear_train::{

@@ -26,6 +26,12 @@ pub fn default_view() -> JsValue {
     to_js(&View::default())
 }
 
+/// The mixers of the catalogue, which come first in it: `{id, kind, document}` for each. A first view needs no others.
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
+pub fn mixers() -> JsValue {
+    to_js(&assur_file::mixers())
+}
+
 /// The catalogue: `{id, kind, document}` for each mechanism.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! A value with its derivatives with respect to the input.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A truncated Taylor series in the input: a value and `N − 1` derivatives, exact except for rounding.
 ///
@@ -89,18 +89,6 @@ impl<const N: usize> Jet<N> {
             root[k] = (c[k] - inner) * half;
         }
         Self(root)
-    }
-
-    /// The reciprocal. It is finite only if the value is not zero.
-    pub fn recip(self) -> Self {
-        let c = self.0;
-        let mut inverse = [0.0; N];
-        inverse[0] = c[0].recip();
-        for k in 1..N {
-            let inner: f64 = (1..=k).map(|i| c[i] * inverse[k - i]).sum();
-            inverse[k] = -inner * inverse[0];
-        }
-        Self(inverse)
     }
 
     /// The jet with the first `M` coefficients; those that this jet does not carry are zero.
@@ -200,6 +188,22 @@ impl<const N: usize> Mul for Jet<N> {
     }
 }
 
+/// The quotient, finite only if the divisor is not zero. Multiplied by the divisor it gives the dividend except for rounding,
+/// even if both are small; a product with the reciprocal would not.
+impl<const N: usize> Div for Jet<N> {
+    type Output = Self;
+    fn div(self, divisor: Self) -> Self {
+        let (c, d) = (self.0, divisor.0);
+        let inverse = d[0].recip();
+        let mut quotient = [0.0; N];
+        for k in 0..N {
+            let inner: f64 = (1..=k).map(|i| d[i] * quotient[k - i]).sum();
+            quotient[k] = (c[k] - inner) * inverse;
+        }
+        Self(quotient)
+    }
+}
+
 impl<const N: usize> Add<f64> for Jet<N> {
     type Output = Self;
     fn add(mut self, shift: f64) -> Self {
@@ -285,6 +289,20 @@ mod tests {
         for (order, value) in expected.into_iter().enumerate() {
             assert!((root.derivative(order) - value).abs() < 1e-15);
         }
+    }
+
+    /// Let d = 1e-6 + 0.7 t. The product of d and (d q)/d is d q, although derivatives of 1/d are of the order of 1e18.
+    #[test]
+    fn quotient_of_small_numbers() {
+        let divisor = Jet::<3>::linear(1e-6, 0.7);
+        let dividend = divisor * Jet::of_derivatives([0.3, 0.1, 2.0]);
+        let product = dividend / divisor * divisor;
+        for order in 0..3 {
+            let off = product.derivative(order) - dividend.derivative(order);
+            assert!(off.abs() < 1e-15, "order {order}: {off:e}");
+        }
+        let half = Jet::<2>::linear(3.0, 1.0) / Jet::linear(6.0, 2.0);
+        assert_eq!([0, 1].map(|order| half.derivative(order)), [0.5, 0.0]);
     }
 
     #[test]

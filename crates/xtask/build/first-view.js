@@ -5,13 +5,13 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [engine, marked] = process.argv.slice(2);
-const { Simulator, catalogue, defaultView, initSync, roleNames } = await import(pathToFileURL(path.join(engine, "assur_web.js")).href);
+const { Simulator, defaultView, initSync, mixers, roleNames } = await import(pathToFileURL(path.join(engine, "assur_web.js")).href);
 const marks = initSync({ module: readFileSync(marked) });
 
 /** A context that draws nothing, on which all texts have the same width. */
 const context = new Proxy({}, { get: () => () => ({ width: 1 }), set: () => true });
 
-const [{ kind, document }] = catalogue();
+const [{ kind, document }] = mixers();
 const simulator = new Simulator();
 // The view of the page names what it lacks.
 const { home } = simulator.set({ format: 2, kind, document, view: { ...defaultView(), against: null, lesson: null } });

@@ -55,9 +55,8 @@ export class Rail {
     const tracers = new CardList(TRACER_LIST, page);
     this.#lists = [wheels, tracers];
     const presets = make("div", { id: "presets", class: "segments", role: "group", "data-t-label": "preset.heading" });
-    for (const { id, kind, document: preset } of engine.catalogue.presets) {
-      if (kind !== "mixer") continue;
-      const { tracers: _, ...document } = preset;
+    for (const { id, document: preset } of engine.catalogue.mixers) {
+      const { tracers: _, ...document } = /** @type {MixerDocument} */ (preset);
       const name = id.replace("mixer-", "");
       const button = make("button", { id: `preset-${name}`, type: "button", class: "segment", "data-t": `preset.${id}` });
       button.addEventListener("click", () => {

@@ -34,7 +34,7 @@ impl CircleOfCurvature {
         // R = |v|³/|v × a|, with the first and second derivatives v and a.
         let speed = (vx.square() + vy.square()).sqrt();
         let turning = (vx * ay - vy * ax) * bend.curvature.signum();
-        let radius = speed * speed.square() * turning.recip();
+        let radius = speed * speed.square() / turning;
         let circle = Self { centre, radius };
         // Where the path is nearly straight, derivatives of the radius may overflow although the radius does not.
         let finite = radius.is_finite();

@@ -20,6 +20,7 @@
 //! With that sign the pose follows the smooth branch of the motion.
 
 mod change_point;
+mod correction;
 mod cycle;
 mod grashof;
 mod limits;

@@ -129,7 +129,7 @@ impl FourBar {
             rocker: diagonal + -at_d + assembly.sign() * PI,
         };
         if pose.coupler.is_finite() && pose.rocker.is_finite() {
-            Ok(pose)
+            Ok(self.corrected(pose, diagonal))
         } else {
             Err(Unsolved::DeadPoint { crank })
         }

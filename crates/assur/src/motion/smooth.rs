@@ -55,13 +55,16 @@ impl Motion {
     /// Interpolates a smooth root from the quantity under the square root: from `square`, its value at the change
     /// point, and from the values computed at the distance `reach` on both sides. Returns first the error of the root's
     /// square at half this distance, then the root.
+    ///
+    /// At the change point the square is zero only within rounding. Its value there is subtracted at all inputs, because a
+    /// difference between the nodes would appear in the second derivative, divided by the square of the reach.
     fn interpolated(
         &self,
         step: StepId,
         [input, reach]: [f64; 2],
         square: Jet<KNOWN>,
     ) -> Option<(f64, SmoothRoot)> {
-        let square_at = |u: f64| self.square(step, input + u * reach);
+        let square_at = |u: f64| Some(self.square(step, input + u * reach)? + -square.value());
         let after = self.cycle.wrap(input + reach);
         let sign = self.knots.sign(step, after).factor();
         let smooth = SmoothRoot::new(

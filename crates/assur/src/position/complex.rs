@@ -79,9 +79,14 @@ impl<const N: usize> Complex<N> {
         Self::new(self.x() * factor, self.y() * factor)
     }
 
+    /// The quotient by a number.
+    pub(crate) fn over(self, divisor: Jet<N>) -> Self {
+        Self::new(self.x() / divisor, self.y() / divisor)
+    }
+
     /// Unit vector in the direction of the vector; not finite if the vector vanishes.
     pub(crate) fn unit(self) -> Self {
-        self.scaled(self.norm_squared().sqrt().recip())
+        self.over(self.norm_squared().sqrt())
     }
 
     /// Vector of constant length with this value, whose scalar product with another vector is given in all orders. If

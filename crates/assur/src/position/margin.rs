@@ -45,7 +45,7 @@ pub(crate) fn crossing<const N: usize>(
     if sine.value().abs() <= tolerance::CONVERGED {
         return Err(Cause::Parallel);
     }
-    let along = (q - p).dot(v.left()) * -sine.recip();
+    let along = (p - q).dot(v.left()) / sine;
     Ok(p + u.scaled(along))
 }
 
@@ -116,6 +116,25 @@ mod tests {
             let met = crossing([line(0.0, 1.0), line(1.0, along)], &mut margin);
             assert!(matches!(met, Err(Cause::Parallel)));
             assert_eq!(margin[0].value(), 0.0);
+        }
+    }
+
+    /// Nearly parallel lines: the x axis, and a line that turns about the point (3, 0). Their intersection is on both in all
+    /// derivatives.
+    #[test]
+    fn nearly_parallel() {
+        let [origin, axis, pivot] =
+            [0.0, 1.0, 3.0].map(|x| Complex::<3>::constant(Vector::x() * x));
+        let turning = Complex::turn(Jet::linear(1e-5, 1.0));
+        let start = pivot + turning.by(Vector::new(0.3, 0.0));
+        let mut margin = [Jet::constant(0.0); 2];
+        let found = crossing([(origin, axis), (start, turning)], &mut margin);
+        let found = found.unwrap();
+        assert!((found.value() - pivot.value()).norm() < 1e-11);
+        let across = (found - start).dot(turning.left());
+        for order in 0..3 {
+            let off = [found.y(), across].map(|jet| jet.derivative(order).abs());
+            assert!(off[0].max(off[1]) < 1e-15, "order {order}: {off:?}");
         }
     }
 }

@@ -58,9 +58,8 @@ impl SmoothRoot {
         [before, at, after]: [Jet<KNOWN>; 3],
     ) -> Self {
         let at = root_over_u(at, radius);
-        let aside = |square: Jet<KNOWN>, u: f64| {
-            in_u(square, radius).sqrt() * (Jet::linear(u, 1.0).recip() * u)
-        };
+        let aside =
+            |square: Jet<KNOWN>, u: f64| in_u(square, radius).sqrt() * u / Jet::linear(u, 1.0);
         let [before, after] = [aside(before, -1.0), aside(after, 1.0)];
         let known = |k: usize, order: usize| match node(k) {
             0.0 => at.coefficient(order),

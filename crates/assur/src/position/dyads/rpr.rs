@@ -53,7 +53,7 @@ impl Solvable for Rpr {
             Dead::Beyond => Cause::OutOfReach { by },
         })?;
         let along = Complex::new(run, Jet::constant(-apart));
-        let mut direction = (between * along).scaled(square.recip());
+        let mut direction = (between * along).over(square);
         // If d is perpendicular to u, the derivatives are those of a smooth root.
         let is_across = run.value().powi(2) < CLOSE_SQUARED * square.value();
         if square.value() < CLOSE_SQUARED * state.scale && !is_across {

@@ -66,7 +66,7 @@ impl<const N: usize> Triangle<N> {
     pub(in crate::position) fn lay(&self, state: &mut State<N>, [i, j]: &[Arm; 2], root: Jet<N>) {
         let along = (self.square + (self.sum * self.difference)) * 0.5;
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
-        let mut to_c = to_c.scaled(self.square.recip());
+        let mut to_c = to_c.over(self.square);
         let scale = self.sum * self.sum;
         // Nearly in line, the constant length hardly determines the derivatives of C, so those of `root` are kept.
         let is_in_line = root.value().powi(2) < CLOSE_SQUARED * self.square.value() * scale;
