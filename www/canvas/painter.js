@@ -20,8 +20,6 @@ import { textWidth } from "assur/canvas/text-width.js";
  * @typedef {{ readonly context: Context, readonly ratio: number }} Target
  * Target of painting. `context`: where to paint. `ratio`: device pixels per CSS pixel.
  *
- * @typedef {Readonly<{ left: number, right: number, top: number, bottom: number }>} Box
- *
  * @typedef {Readonly<{ fill?: number, paper?: boolean, stroke?: number, opacity?: number, dash?: readonly number[] }>} Look
  * Look of a shape. `fill`: opacity of the filling. `paper`: whether the filling has the colour of the paper.
  * `stroke`: width of the line, in pixels. `opacity`, `dash`: opacity and dashes of the line.

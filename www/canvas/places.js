@@ -1,7 +1,8 @@
 // Places of the labels of a drawing. A label whose wanted place is taken stands on another side of its point.
+import { isFree } from "assur/canvas/boxes.js";
 
 /**
- * @typedef {import("assur/canvas/painter.js").Box} Box
+ * @typedef {import("assur/canvas/boxes.js").Box} Box
  * @typedef {Readonly<{ width: number, height: number }>} Sheet size of the drawing, in CSS pixels
  */
 
@@ -50,21 +51,15 @@ export class Places {
       x: within(x, x + SIDES[side][0] * dx, width / 2, sheet.width),
       y: within(y, y + SIDES[side][1] * dy, height / 2, sheet.height),
     });
-    const free = (/** @type {number} */ side, room = 0) => this.#isFree(boxOf(on(side), width + room, height + room));
+    const free = (/** @type {number} */ side, room = 0) => isFree(boxOf(on(side), width + room, height + room), this.#taken);
     const last = this.#moved.get(label) ?? 0;
     const back = last === 0 ? 0 : ROOM * height;
     const side = [0, last, ...SIDES.keys()].find((one, i) => free(one, i === 0 ? back : 0));
     if (side) this.#moved.set(label, side);
     else this.#moved.delete(label);
     const at = on(side ?? 0);
-    const isFree = side !== undefined;
-    if (isFree) this.#taken.push(boxOf(at, width, height));
-    return { ...at, free: isFree };
-  }
-
-  /** @param {Box} box */
-  #isFree(box) {
-    return this.#taken.every((it) => box.right <= it.left || it.right <= box.left || box.bottom <= it.top || it.bottom <= box.top);
+    if (side !== undefined) this.#taken.push(boxOf(at, width, height));
+    return { ...at, free: side !== undefined };
   }
 }
 

@@ -1,5 +1,20 @@
-// A worker that writes a GIF (version 89a). It receives the size, then all pictures, and then writes one picture per
+// A worker that writes a GIF by the library omggif. It receives the size, then all pictures, and then writes one picture per
 // message. All pictures share one table of their most frequent colours. Only the changed part of a picture is written.
+/*! The script contains omggif, https://github.com/deanm/omggif
+(c) Dean McNamee <dean@gmail.com>, 2013.
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated documentation
+files (the "Software"), to deal in the Software without restriction, including without limitation the rights to use, copy,
+modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software
+is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES
+OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE
+LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR
+IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE. */
+import { GifWriter } from "omggif";
 
 /** `COLOURS`: number of colours in the table. `SAME`: index of an unchanged pixel, after the last colour. */
 const COLOURS = 255;
@@ -15,22 +30,23 @@ const pictures = [];
 const counts = new Float64Array(BINS);
 /** Sums of red, green and blue over the pixels in each bin. */
 const sums = new Float64Array(3 * BINS);
-/** @type {Uint8Array | null} index in the table for each bin */
-let indices = null;
+/** @type {{ gif: GifWriter, indices: Uint8Array } | null} writer of the file, and the index in the table for each bin */
+let begun = null;
 let written = 0;
 /** @type {Uint8Array | null} the previous picture, as indices in the table */
 let before = null;
-/** @type {(number | Uint8Array)[]} single bytes and lists of bytes */
+/** @type {number[]} bytes of the file */
 const file = [];
 
 addEventListener("message", ({ data }) => {
   if (data.pixels) take(new Uint8ClampedArray(data.pixels));
   else if (data.write) writeNext();
   else sheet = data;
-  const whole = written > 0 && written === pictures.length;
-  const bytes = whole ? ended() : null;
-  if (bytes) postMessage({ file: bytes }, { transfer: [bytes] });
-  else postMessage({ file: null });
+  if (begun && written === pictures.length) {
+    begun.gif.end();
+    const { buffer } = Uint8Array.from(file);
+    postMessage({ file: buffer }, { transfer: [buffer] });
+  } else postMessage({ file: null });
 });
 
 /** @param {Uint8ClampedArray} pixels red, green, blue and opacity of each pixel */
@@ -47,45 +63,38 @@ function take(pixels) {
 
 function writeNext() {
   if (!sheet || written === pictures.length) return;
-  indices ??= begun(sheet);
+  begun ??= begin(sheet);
+  const { gif, indices } = begun;
   const { width, height, delay } = sheet;
-  const picture = pictures[written].map((bin) => /** @type {Uint8Array} */ (indices)[bin]);
-  const now = Uint8Array.from(picture);
+  const now = Uint8Array.from(pictures[written], (bin) => indices[bin]);
   const [left, top, right, bottom] = before ? changed(now, before, width, height) : [0, 0, width, height];
-  const part = new Uint8Array((right - left) * (bottom - top));
-  for (let y = top, at = 0; y < bottom; y++) {
-    for (let x = left; x < right; x++, at++) {
+  const part = [];
+  for (let y = top; y < bottom; y++) {
+    for (let x = left; x < right; x++) {
       const i = y * width + x;
-      part[at] = before && before[i] === now[i] ? SAME : now[i];
+      part.push(before && before[i] === now[i] ? SAME : now[i]);
     }
   }
-  // The previous picture stays visible under the transparent pixels of the next.
-  file.push(0x21, 0xf9, 4, (1 << 2) | 1, ...short(delay), SAME, 0);
-  file.push(0x2c, ...short(left), ...short(top), ...short(right - left), ...short(bottom - top), 0);
-  pack(part);
+  // Disposal 1: the previous picture stays visible under the transparent pixels of the next.
+  gif.addFrame(left, top, right - left, bottom - top, part, { delay, disposal: 1, transparent: SAME });
   pictures[written] = new Uint16Array();
   before = now;
   written += 1;
 }
 
 /**
- * Writes the head of the file and the table of the most frequent colours.
+ * Begins the file, an animation that repeats endlessly, with the table of the most frequent colours.
  * @param {{ width: number, height: number }} size
- * @returns {Uint8Array} index in the table for each bin
  */
-function begun({ width, height }) {
+function begin({ width, height }) {
   const used = [...counts.keys()].filter((bin) => counts[bin] > 0).sort((a, b) => counts[b] - counts[a]);
   const colours = used.map((bin) => [0, 1, 2].map((part) => sums[3 * bin + part] / counts[bin]));
   const table = colours.slice(0, COLOURS);
-  const nearest = new Uint8Array(BINS);
-  for (const [at, bin] of used.entries()) nearest[bin] = at < COLOURS ? at : closest(colours[at], table);
-  file.push(...[..."GIF89a"].map((letter) => letter.charCodeAt(0)), ...short(width), ...short(height), 0xf7, 0, 0);
-  const bytes = new Uint8Array(3 * 256);
-  bytes.set(table.flat().map(Math.round));
-  file.push(bytes);
-  // The Netscape extension makes the animation repeat endlessly.
-  file.push(0x21, 0xff, 11, ...[..."NETSCAPE2.0"].map((letter) => letter.charCodeAt(0)), 3, 1, 0, 0, 0);
-  return nearest;
+  const indices = new Uint8Array(BINS);
+  for (const [at, bin] of used.entries()) indices[bin] = at < COLOURS ? at : closest(colours[at], table);
+  const palette = Array(COLOURS + 1).fill(0);
+  for (const [at, colour] of table.entries()) palette[at] = colour.reduce((packed, part) => (packed << 8) | Math.round(part), 0);
+  return { gif: new GifWriter(file, width, height, { loop: 0, palette }), indices };
 }
 
 /**
@@ -115,82 +124,4 @@ function changed(now, then, width, height) {
     bottom = y + 1;
   }
   return right === 0 ? [0, 0, 1, 1] : [left, top, right, bottom];
-}
-
-/**
- * Compresses the indices of a picture by the Lempel–Ziv–Welch (LZW) method of GIF, in blocks of at most 255 bytes.
- * @param {Uint8Array} pixels
- */
-function pack(pixels) {
-  const [clear, end, most, slots] = [256, 257, 4096, 1 << 13];
-  const keys = new Int32Array(slots).fill(-1);
-  const codes = new Uint16Array(slots);
-  let [size, next, buffer, bits] = [9, 258, 0, 0];
-  /** @type {number[]} */
-  let block = [];
-  const flush = () => {
-    if (block.length > 0) file.push(block.length, Uint8Array.from(block));
-    block = [];
-  };
-  const put = (/** @type {number} */ code) => {
-    buffer |= code << bits;
-    bits += size;
-    for (; bits >= 8; bits -= 8, buffer >>>= 8) {
-      block.push(buffer & 0xff);
-      if (block.length === 255) flush();
-    }
-  };
-  const longer = () => {
-    if (next === 1 << size && size < 12) size += 1;
-  };
-  file.push(8);
-  put(clear);
-  let prefix = pixels[0];
-  for (let i = 1; i < pixels.length; i++) {
-    const key = (prefix << 8) | pixels[i];
-    let slot = Math.imul(key, 0x9e3779b1) >>> 19;
-    while (keys[slot] !== -1 && keys[slot] !== key) slot = (slot + 1) % slots;
-    if (keys[slot] === key) {
-      prefix = codes[slot];
-      continue;
-    }
-    put(prefix);
-    if (next < most) {
-      longer();
-      keys[slot] = key;
-      codes[slot] = next;
-      next += 1;
-    } else {
-      put(clear);
-      keys.fill(-1);
-      [size, next] = [9, 258];
-    }
-    prefix = pixels[i];
-  }
-  put(prefix);
-  longer();
-  put(end);
-  if (bits > 0) block.push(buffer & 0xff);
-  flush();
-  file.push(0);
-}
-
-/** @returns {ArrayBuffer} the whole file */
-function ended() {
-  file.push(0x3b);
-  const bytes = new Uint8Array(file.reduce((/** @type {number} */ length, one) => length + (typeof one === "number" ? 1 : one.length), 0));
-  let at = 0;
-  for (const one of file) {
-    if (typeof one === "number") bytes[at++] = one;
-    else {
-      bytes.set(one, at);
-      at += one.length;
-    }
-  }
-  return bytes.buffer;
-}
-
-/** @param {number} value */
-function short(value) {
-  return [value & 0xff, value >> 8];
 }

@@ -78,7 +78,8 @@ function decoded(file) {
   const word = (at) => file[at] | (file[at + 1] << 8);
   assert.equal(String.fromCharCode(...file.subarray(0, 6)), "GIF89a");
   const [width, height] = [word(6), word(8)];
-  assert.equal(file[10], 0xf7);
+  // A table of 256 colours. The colour depth of the original, bits 4 to 6, is not given: readers do not use it.
+  assert.equal(file[10], 0x87);
   const colours = Array.from({ length: 256 }, (_, i) => [...file.subarray(13 + 3 * i, 16 + 3 * i)]);
   let at = 13 + 768;
   const screen = new Uint8ClampedArray(4 * width * height);

@@ -48,7 +48,8 @@ export class SvgPath extends Path2D {
   }
 }
 
-export class Svg {
+/** A context, which is also the path that it builds, as in a canvas. */
+export class Svg extends SvgPath {
   fillStyle = "#000000";
   strokeStyle = "#000000";
   globalAlpha = 1;
@@ -65,7 +66,6 @@ export class Svg {
   /** @type {readonly number[]} */
   #dash = [];
   #transform = "";
-  #path = new SvgPath();
   /** @type {string[]} */
   #elements = [];
   #size;
@@ -82,6 +82,7 @@ export class Svg {
    * @param {number} [scale] magnification
    */
   constructor(size, title, scale = 1) {
+    super();
     const canvas = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true });
     if (!canvas) throw new Error("no 2d context");
     this.#canvas = canvas;
@@ -144,50 +145,19 @@ export class Svg {
   }
 
   beginPath() {
-    this.#path = new SvgPath();
+    this.data = "";
   }
 
   /**
-   * @param {number} x
-   * @param {number} y
-   */
-  moveTo(x, y) {
-    this.#path.moveTo(x, y);
-  }
-
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
-  lineTo(x, y) {
-    this.#path.lineTo(x, y);
-  }
-
-  /**
-   * @param {number} x
-   * @param {number} y
-   * @param {number} radius
-   * @param {number} from
-   * @param {number} to
-   */
-  arc(x, y, radius, from, to) {
-    this.#path.arc(x, y, radius, from, to);
-  }
-
-  closePath() {
-    this.#path.closePath();
-  }
-
-  /**
-   * @param {SvgPath} [path] by default the context's own path
+   * @param {SvgPath} [path]
    * @param {CanvasFillRule} [rule]
    */
-  fill(path = this.#path, rule = "nonzero") {
+  fill(path = this, rule = "nonzero") {
     this.#add("path", { d: path.data, "fill-rule": rule === "evenodd" ? rule : "", ...this.#filling() });
   }
 
   /** @param {SvgPath} [path] */
-  stroke(path = this.#path) {
+  stroke(path = this) {
     this.#add("path", { d: path.data, fill: "none", ...this.#line() });
   }
 

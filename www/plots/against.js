@@ -1,4 +1,5 @@
 // Plot of one quantity against another: its text, its cursor, and the input of the point on the curve under a pointer.
+import { cheapest, covered } from "assur/canvas/boxes.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { paintTag } from "assur/plots/tags.js";
@@ -169,16 +170,8 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
 function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
   const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));
   const tops = [down - tall - off / 2, down + off / 2].map((y) => Math.min(Math.max(y, top), top + height - tall));
-  const corners = tops.flatMap((y) => lefts.map((x) => ({ left: x, top: y, covered: 0 })));
-  for (const corner of corners) {
-    for (const run of curve) {
-      for (let i = 0; i < run.length; i += 3) {
-        const [x, y] = [run[i] - corner.left, run[i + 1] - corner.top];
-        if (x > 0 && x < wide && y > 0 && y < tall) corner.covered += 1;
-      }
-    }
-  }
-  return corners.reduce((best, corner) => (corner.covered < best.covered ? corner : best));
+  const corners = tops.flatMap((y) => lefts.map((x) => ({ left: x, top: y, right: x + wide, bottom: y + tall })));
+  return cheapest(corners, (corner) => curve.reduce((points, run) => points + covered(run, 3, corner), 0));
 }
 
 /**

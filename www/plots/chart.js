@@ -11,7 +11,7 @@ import { drawChartText } from "assur/plots/text.js";
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/plots/marks.js").Box} Box
+ * @typedef {import("assur/canvas/boxes.js").Box} Box
  * @typedef {(context: import("assur/canvas/painter.js").Context, panels: readonly Panel[], snapshot: Snapshot, engine: Engine, theme: Theme) => readonly (Box | null)[]} Overlay
  * paints over the curves, and returns the covered box in each panel, null for none
  */

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { axisName, described, drawAgainstCursor, drawAgainstText, inputAt } from "assur/plots/against.js";
-import { drawMarks, overlap } from "assur/plots/marks.js";
+import { isFree } from "assur/canvas/boxes.js";
+import { drawMarks } from "assur/plots/marks.js";
 import { ChartView } from "assur/plots/chart.js";
 import { Refusal } from "assur/core/problem.js";
 import { across, angleAt, down, shows } from "assur/plots/panel.js";
@@ -60,8 +61,8 @@ test("no label of a plot is over another, over a title or outside the plot", () 
       for (const [i, boxes] of labels.entries()) {
         const { left, top, width, height } = panels[i];
         for (const [k, box] of boxes.entries()) {
-          assert.ok(!overlap(box, titles[i]), `${id} ${k}`);
-          for (const other of boxes.slice(0, k)) assert.ok(!overlap(box, other), `${id} ${JSON.stringify([box, other])}`);
+          assert.ok(isFree(box, [titles[i]]), `${id} ${k}`);
+          for (const other of boxes.slice(0, k)) assert.ok(isFree(box, [other]), `${id} ${JSON.stringify([box, other])}`);
           assert.ok(box.left >= left && box.right <= left + width + 1e-6 && box.top >= top - 13 && box.bottom <= top + height + 3 + 1e-6, `${id} ${JSON.stringify(box)}`);
         }
       }

@@ -11,7 +11,7 @@ import { setChartFont } from "assur/plots/text.js";
 import { written } from "assur/plots/units.js";
 
 /**
- * @typedef {import("assur/plots/marks.js").Box} Box
+ * @typedef {import("assur/canvas/boxes.js").Box} Box
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot

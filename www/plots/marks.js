@@ -1,4 +1,5 @@
 // Labels at zeros, extrema and limit positions: a value and its input, placed without overlap.
+import { cheapest, covered, isFree } from "assur/canvas/boxes.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { across, down } from "assur/plots/panel.js";
 import { setChartFont } from "assur/plots/text.js";
@@ -8,7 +9,7 @@ import { written } from "assur/plots/units.js";
  * @typedef {import("assur/types/web.js").MarkLayout} Mark
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
- * @typedef {{ left: number, top: number, right: number, bottom: number }} Box
+ * @typedef {import("assur/canvas/boxes.js").Box} Box
  */
 
 /**
@@ -31,12 +32,12 @@ const MAX_COVERED = 4;
 /**
  * @param {import("assur/canvas/painter.js").Context} context
  * @param {Panel} panel
- * @param {readonly Box[]} covered occupied places, such as that of the panel's title
+ * @param {readonly Box[]} occupied places, such as that of the panel's title
  * @param {Snapshot} snapshot
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @returns {Box[]} boxes of the labels
  */
-export function drawMarks(context, panel, covered, snapshot, theme) {
+export function drawMarks(context, panel, occupied, snapshot, theme) {
   const font = setChartFont(context, theme);
   context.textAlign = "left";
   context.textBaseline = "middle";
@@ -44,7 +45,7 @@ export function drawMarks(context, panel, covered, snapshot, theme) {
   context.lineWidth = 3;
   context.strokeStyle = theme.colours.paper;
   const points = [...panel.points, ...zeroLine(panel)];
-  const taken = [...covered, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
+  const taken = [...occupied, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
   const labels = [];
   for (const mark of labelled(panel.marks)) {
     const text = markText(mark, panel, snapshot);
@@ -114,36 +115,15 @@ function freePlace(panel, mark, width, taken, points, scale) {
   const [above, below] = [y - gap - height, y + gap];
   const tops = mark.kind === "max" ? [above, above - farther, below, below + farther] : [below, below + farther, above, above - farther];
   const lefts = [x - width / 2, x - width / 4, x - (3 * width) / 4, x + gap, x - gap - width];
-  let best = null;
-  let least = MAX_COVERED + 1;
-  for (const top of tops) {
-    if (top < panel.top - height || top + height > panel.top + panel.height + 3) continue;
-    for (const wanted of lefts) {
+  const cost = (/** @type {Box} */ box) => covered(points, 2, box);
+  const boxes = tops
+    .filter((top) => top >= panel.top - height && top + height <= panel.top + panel.height + 3)
+    .flatMap((top) => lefts.map((wanted) => {
       const left = Math.min(Math.max(wanted, panel.left + 2), panel.left + panel.width - width);
-      const box = { left, top, right: left + width, bottom: top + height };
-      if (taken.some((other) => overlap(box, other))) continue;
-      const covered = count(points, box);
-      if (covered >= least) continue;
-      least = covered;
-      best = box;
-    }
-  }
-  return best;
-}
-
-/**
- * @param {readonly number[]} points x and y of each point
- * @param {Box} box
- * @returns {number} number of points in the box or within a pixel of its edge
- */
-function count(points, { left, top, right, bottom }) {
-  let inside = 0;
-  for (let i = 0; i < points.length; i += 2) {
-    const x = points[i];
-    const y = points[i + 1];
-    if (x > left - 1 && x < right + 1 && y > top - 1 && y < bottom + 1) inside += 1;
-  }
-  return inside;
+      return { left, top, right: left + width, bottom: top + height };
+    }))
+    .filter((box) => isFree(box, taken) && cost(box) <= MAX_COVERED);
+  return boxes.length > 0 ? cheapest(boxes, cost) : null;
 }
 
 /**
@@ -154,12 +134,4 @@ function count(points, { left, top, right, bottom }) {
  */
 function around(x, y, by) {
   return { left: x - by, top: y - by, right: x + by, bottom: y + by };
-}
-
-/**
- * @param {Box} a
- * @param {Box} b
- */
-export function overlap(a, b) {
-  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }

@@ -1,7 +1,7 @@
 // Placement of the numbers, or tags, beside the cursor's line: clear of each other and, if possible, of the labels.
-import { overlap } from "assur/plots/marks.js";
+import { cheapest, isFree } from "assur/canvas/boxes.js";
 
-/** @typedef {import("assur/plots/marks.js").Box} Box */
+/** @typedef {import("assur/canvas/boxes.js").Box} Box */
 
 /** Greatest shift of a tag to avoid labels, in tag heights: farther off, it would seem to be another curve's. */
 const FARTHEST = 3;
@@ -52,7 +52,7 @@ export function placedTags(tags) {
   if (sides.length === 0 || (sides[0].covered > 0 && x - off - widest >= room.left)) {
     sides.push(aside(tags, widths.map((width) => x - off - width)));
   }
-  return fewest(sides).boxes;
+  return cheapest(sides, ({ covered }) => covered).boxes;
 }
 
 /**
@@ -68,21 +68,11 @@ function aside({ middles, widths, tall, room, labels }, lefts) {
   const down = own.reduce((/** @type {number[]} */ tops, _, i) => [...tops, free(i, i > 0 ? tops[i - 1] + tall + APART : room.top)], []);
   const up = own.reduceRight((/** @type {number[]} */ tops, _, i) => [free(i, room.top, tops.length > 0 ? tops[0] - APART : room.bottom), ...tops], []);
   const ways = [apart(own), apart(own.map((_, i) => free(i))), apart(down), apart(up)];
-  return fewest(
-    ways.map((tops) => {
-      const boxes = tops.map((top, i) => at(i, top));
-      return { boxes, covered: boxes.filter((tag) => labels.some((label) => overlap(tag, label))).length };
-    }),
-  );
-}
-
-/**
- * @template {{ covered: number }} T
- * @param {readonly T[]} ways
- * @returns {T} the first placement with the fewest tags that cover a label
- */
-function fewest(ways) {
-  return ways.reduce((best, way) => (way.covered < best.covered ? way : best));
+  const placed = ways.map((tops) => {
+    const boxes = tops.map((top, i) => at(i, top));
+    return { boxes, covered: boxes.filter((tag) => !isFree(tag, labels)).length };
+  });
+  return cheapest(placed, ({ covered }) => covered);
 }
 
 /**
@@ -94,10 +84,9 @@ function fewest(ways) {
  */
 function freeTop(tag, labels, first, last) {
   const tall = tag.bottom - tag.top;
-  const covers = (/** @type {number} */ top) => labels.some((label) => overlap({ ...tag, top, bottom: top + tall }, label));
   const beside = labels.flatMap(({ top, bottom }) => [top - tall - 1, bottom + 1]);
   const near = [tag.top, first, last - tall, ...beside].filter((top) => top >= first && top + tall <= last && Math.abs(top - tag.top) <= FARTHEST * tall);
-  const free = near.filter((top) => !covers(top)).sort((a, b) => Math.abs(a - tag.top) - Math.abs(b - tag.top));
+  const free = near.filter((top) => isFree({ ...tag, top, bottom: top + tall }, labels)).sort((a, b) => Math.abs(a - tag.top) - Math.abs(b - tag.top));
   return free[0] ?? tag.top;
 }
 

@@ -6,7 +6,7 @@ import { across, down } from "assur/plots/panel.js";
 import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "assur/plots/units.js";
 
 /**
- * @typedef {import("assur/plots/marks.js").Box} Box
+ * @typedef {import("assur/canvas/boxes.js").Box} Box
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/core/words.js").Words} Words

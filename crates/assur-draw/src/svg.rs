@@ -1,15 +1,14 @@
 //! Drawings and charts as SVG on light paper: display lists and plots, painted as they are on the page.
 
-mod backend;
 mod painter;
 
 use std::fmt::Write as _;
 
 use plotters::prelude::{IntoDrawingArea, RGBColor};
+use plotters_svg::SVGBackend;
 
-use crate::chart::{Chart, Kind, Palette, Panel};
+use crate::chart::{Chart, FINE, Kind, Palette, Panel};
 use crate::list::{List, Role};
-use backend::Canvas;
 use painter::Painter;
 
 /// Colours of the roles on light paper, the same as in the style sheet of the page.
@@ -104,14 +103,17 @@ impl Svg {
 
     /// Adds a chart with this height, pixels: three plots with titles and numbered axes. `input` is the input's name.
     pub fn chart(&mut self, height: f64, chart: &Chart, input: &str) {
-        let size = (self.width as u32, height as u32);
-        let _ = writeln!(self.body, "<g transform=\"translate(0 {})\">", self.height);
-        let canvas = Canvas {
-            body: &mut self.body,
-            size,
-        };
+        let size = [self.width, height].map(|pixels| pixels as u32 * FINE.unsigned_abs());
+        let _ = writeln!(
+            self.body,
+            "<g transform=\"translate(0 {})\"><g transform=\"scale({})\">",
+            self.height,
+            1.0 / f64::from(FINE)
+        );
+        let canvas = SVGBackend::with_string(&mut self.body, size.into());
         // Writing into memory cannot fail.
         let panels = chart.draw(&canvas.into_drawing_area(), &LIGHT, 1.0, None);
+        self.body += "</g>\n";
         for panel in panels.iter().flatten() {
             self.axes(panel, chart, input);
         }

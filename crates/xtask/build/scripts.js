@@ -60,8 +60,9 @@ export async function bundle(sources) {
         if (level === "warn") throw new Error(message);
       },
     });
-    // Names of exports stay: short ones would change with what other chunks import.
-    const { output } = await build.generate({ minify: true, comments: false, minifyInternalExports: false, ...options });
+    // Names of exports stay: short ones would change with what other chunks import. Of comments only notices of licences stay.
+    const comments = { legal: true, annotation: false, jsdoc: false };
+    const { output } = await build.generate({ minify: true, comments, minifyInternalExports: false, ...options });
     return output.filter((file) => file.type === "chunk");
   };
 

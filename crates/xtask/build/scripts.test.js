@@ -71,6 +71,13 @@ test("a file more at the head of the alphabet changes one chunk", async (context
   assert.deepEqual(changed, ["lessons/one/lesson.js"]);
 });
 
+test("of the comments only notices of licences stay", async (context) => {
+  const scripts = await bundled(context, { "worker.js": "// Ours.\n/*! Notice of a library. */\n/** @param {number} n */\nconst ours = (n) => n + 1;\npostMessage(ours(globalThis.n));" });
+  const worker = scripts.get("worker.js") ?? "";
+  assert.match(worker, /Notice of a library/);
+  assert.doesNotMatch(worker, /Ours|@param/);
+});
+
 test("what cannot be bundled is a sentence", async (context) => {
   for (const [name, script, sentence] of /** @type {const} */ ([
     ["late.js", "const = 1;", /late\.js/],

@@ -15,7 +15,7 @@ import { withDocument } from "assur/state/state.js";
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/plots/marks.js").Box} Box
+ * @typedef {import("assur/canvas/boxes.js").Box} Box
  * @typedef {import("assur/core/words.js").Words} Words
  */
 

@@ -3,7 +3,8 @@ import "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
 import { paintCourse } from "assur/kinds/linkage/course.js";
-import { drawMarks, overlap } from "assur/plots/marks.js";
+import { isFree } from "assur/canvas/boxes.js";
+import { drawMarks } from "assur/plots/marks.js";
 import { withDocument, withView } from "assur/state/state.js";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { Page } from "assur/tests/page.js";
@@ -36,7 +37,7 @@ test("marks keep off the magnified dwell, and its scale stands above its curve",
   const { insets, labels, texts } = painted(new Page("class4-dwell"));
   insets.forEach((inset, i) => {
     assert.ok(labels[i].length > 0);
-    for (const label of labels[i]) assert.ok(!overlap(label, inset), JSON.stringify([label, inset]));
+    for (const label of labels[i]) assert.ok(isFree(label, [inset]), JSON.stringify([label, inset]));
   });
   const scales = texts.filter(({ text }) => text.startsWith("↕"));
   assert.equal(scales.length, 3);
