@@ -5,7 +5,8 @@ import test from "node:test";
 import { isDivided, start } from "assur/core/parts.js";
 import { Engine } from "assur/engine.js";
 import { Context, themeOf } from "assur/tests/canvas.js";
-import { WASM, stateOf } from "assur/tests/engine.js";
+import { initialState } from "assur/state/state.js";
+import { WASM } from "assur/tests/engine.js";
 import * as divided from "assur/pkg/assur_web.js";
 import * as whole from "assur/pkg/assur_web.js?whole";
 
@@ -28,24 +29,32 @@ function ofAnotherBuild() {
   return new WebAssembly.Module(bytes);
 }
 
+whole.initSync({ module: readFileSync(WASM) });
+const { document: class4 } = whole.catalogue().find(({ id }) => id === "class4-dwell");
+const CLASS4 = initialState("linkage", class4, { playing: false });
+
+/** @param {Engine} engine */
+function stateOfFirstView({ catalogue }) {
+  const [{ kind, document }] = catalogue.mixers;
+  return initialState(kind, document);
+}
+
 const refusal = (code) => ({ problems: [{ code }] });
 
 test("a first view needs the first part only; the rest is loaded once, when something needs it", () => {
   const engine = new Engine();
-  const [{ id }] = engine.catalogue.mixers;
-  const { home } = engine.set(stateOf(engine, id));
+  const { home } = engine.set(stateOfFirstView(engine));
   engine.simulator.scene();
   engine.at(engine.simulator.advance(home, 0.1)[0]);
   const { palette, scale } = themeOf(engine.roles);
   engine.chart(new Context(), { width: 400, height: 300, palette, scale, ratio: 1, whole: false, only: "all", around: home });
   assert.equal(loads, 0);
-  engine.set(stateOf(engine, "class4-dwell"));
-  engine.set(stateOf(engine, "jansen"));
+  engine.set(CLASS4);
+  engine.catalogue.preset("jansen");
   assert.equal(loads, 1);
 });
 
 test("both parts together compute what the whole engine does, digit by digit", () => {
-  whole.initSync({ module: readFileSync(WASM) });
   const computed = ({ Simulator, catalogue, defaultView }) =>
     catalogue().map(({ id, kind, document }) => {
       const simulator = new Simulator();
@@ -62,17 +71,16 @@ test("if the rest does not load, its calls are refused, and the engine works on"
   // A new instance has no second part yet.
   divided.__wbg_reset_state();
   const engine = new Engine();
-  const [{ id }] = engine.catalogue.presets;
-  const { home } = engine.set(stateOf(engine, id));
+  const { home } = engine.set(stateOfFirstView(engine));
   const before = engine.at(home).frame;
   for (const fail of [() => null, ofAnotherBuild, () => { throw new Error("no connection"); }]) {
     getSecond = fail;
-    assert.throws(() => engine.set(stateOf(engine, "class4-dwell")), refusal("not_arrived"));
+    assert.throws(() => engine.set(CLASS4), refusal("not_arrived"));
     assert.equal(engine.trapped, false);
     assert.deepEqual(engine.at(home).frame, before);
   }
   getSecond = () => second;
-  assert.equal(engine.set(stateOf(engine, "class4-dwell")).moves, "angle");
+  assert.equal(engine.set(CLASS4).moves, "angle");
 });
 
 test("a whole module has no second part", () => {
