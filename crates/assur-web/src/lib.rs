@@ -61,7 +61,9 @@ pub use assemblies::AllMotions;
 pub use design::Design;
 pub use imported::{is_import, read_import};
 pub use numbers::numbers_of;
-pub use offered::{blank, catalogue, default_view, function_positions, role_names, shelves, task};
+pub use offered::{
+    blank, catalogue, default_view, function_positions, mixers, role_names, shelves, task,
+};
 pub use qr::qr_code;
 pub use received::{check_keys, read_lesson, read_state};
 pub use simulator::Simulator;

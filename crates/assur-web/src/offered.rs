@@ -28,7 +28,7 @@ pub fn default_view() -> JsValue {
 
 /// The mixers of the catalogue, which come first in it: `{id, kind, document}` for each. A first view needs no others.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
-pub(crate) fn mixers() -> JsValue {
+pub fn mixers() -> JsValue {
     to_js(&assur_file::mixers())
 }
 
