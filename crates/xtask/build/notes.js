@@ -18,6 +18,7 @@ const head = (/** @type {string} */ lang) => `<!doctype html>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
+<link rel="icon" href="data:,">
 <title>Assur</title>
 <style>
 body { max-width: 52em; margin: 0 auto; padding: 1em 1.2em 4em; font: 16px/1.5 system-ui, "DejaVu Sans", sans-serif; }
