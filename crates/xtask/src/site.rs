@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, ensure};
 use serde_json::json;
 use xshell::cmd;
 
@@ -15,10 +15,11 @@ use crate::workspace::{VERSION, Workspace, cargo_home};
 /// Inlining threshold below LLVM's default. It makes the download smaller, and nothing is measurably slower.
 const INLINING: &str = "-Cllvm-args=--inline-threshold=50";
 
-/// The imports of the module in the bindings, and the one that is added for its first part.
+/// The imports of the module, as the bindings list them.
 const IMPORTS: &str = "\"./assur_web_bg.js\": import0,";
+/// The import of the first part that loads the second.
 const LOAD: &str = "second: { load: () => second.load() },";
-/// What the page replaces to load the second part of the module.
+/// The function behind this import. The page replaces it.
 const LOADING: &str = "
 export const second = {
     load() {
@@ -75,7 +76,7 @@ fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
     run(bindgen, "writing the bindings")
 }
 
-/// Divides the module into two parts: what the calls of `build/first-view.js` use is in the first.
+/// Divides the module into two parts. The functions that `build/first-view.js` finds in use are the first.
 fn divide(workspace: &Workspace) -> Result<()> {
     let Workspace { shell, root, .. } = workspace;
     let engine = workspace.target.join("engine");
@@ -86,20 +87,20 @@ fn divide(workspace: &Workspace) -> Result<()> {
     let called = cmd!(shell, "node {script} {engine} {marked}").read()?;
     let called =
         serde_json::from_str(&called).context("the functions of the first view cannot be read")?;
-    for (name, addition) in [("assur_web.js", LOADING), ("assur_web.d.ts", LOADING_TYPE)] {
-        let file = engine.join(name);
-        let text = shell.read_file(&file)?;
-        shell.write_file(
-            &file,
-            text.replace(IMPORTS, &format!("{IMPORTS} {LOAD}")) + addition,
-        )?;
-    }
-    for (name, part) in ["first.wasm", "second.wasm"]
-        .iter()
-        .zip(parts::divided(&whole, &called)?)
-    {
-        shell.write_file(engine.join(name), part)?;
-    }
+    let [first, second] = parts::divided(&whole, &called)?;
+    shell.write_file(engine.join("first.wasm"), first)?;
+    shell.write_file(engine.join("second.wasm"), second)?;
+
+    let [script, types] = ["assur_web.js", "assur_web.d.ts"].map(|name| engine.join(name));
+    let text = shell.read_file(&script)?;
+    ensure!(
+        text.contains(IMPORTS),
+        "the bindings do not list their imports as expected"
+    );
+    let text = text.replace(IMPORTS, &format!("{IMPORTS} {LOAD}"));
+    shell.write_file(script, text + LOADING)?;
+    let text = shell.read_file(&types)?;
+    shell.write_file(types, text + LOADING_TYPE)?;
     Ok(())
 }
 
