@@ -2,6 +2,7 @@
 
 use super::*;
 use assur::perpendicular;
+use assur::sorting::sort_by;
 
 impl Sketch {
     pub(super) fn draw_frame(&mut self) {
@@ -78,7 +79,9 @@ impl Sketch {
             }
         }
         wheels.retain(|wheel| wheel.radius.is_finite());
-        wheels.sort_by(|one, other| one.radius.total_cmp(&other.radius));
+        sort_by(&mut wheels, |one, other| {
+            one.radius.total_cmp(&other.radius)
+        });
         wheels
     }
 

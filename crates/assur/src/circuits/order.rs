@@ -1,6 +1,6 @@
 //! Lexicographic order of rows of values, in which values that differ only by rounding are equal.
 
-use crate::sorting::sort_by;
+use crate::sorting::{sort, sort_by};
 use crate::tolerance;
 
 /// Sorts rows; returns their indices in ascending order. Equal rows keep their order; a row precedes longer rows that
@@ -25,7 +25,7 @@ fn split(rows: &[Vec<f64>], mut equal: Vec<usize>, column: usize, order: &mut Ve
     let differs = |a: &usize, b: &usize| value(*b) - value(*a) > tolerance::COINCIDENT;
     for run in equal.chunk_by(|a, b| !differs(a, b)) {
         let mut run = run.to_vec();
-        run.sort_unstable();
+        sort(&mut run);
         split(rows, run, column + 1, order);
     }
 }

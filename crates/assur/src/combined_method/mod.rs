@@ -13,6 +13,7 @@ mod system;
 
 use crate::Relation;
 use crate::mechanism::{DriverSpec, FRAME, Mechanism, PointId, Pose};
+use crate::sorting::sort;
 use first::First;
 use places::Places;
 use second::Second;
@@ -34,11 +35,11 @@ impl CombinedMethod {
         let spec = mechanism.spec();
         let sorted = |names: &[String]| {
             let mut letters: Vec<&str> = names.iter().map(String::as_str).collect();
-            letters.sort_unstable();
+            sort(&mut letters);
             letters.concat()
         };
         let mut links: Vec<String> = spec.links.iter().map(|link| sorted(&link.points)).collect();
-        links.sort_unstable();
+        sort(&mut links);
         let [DriverSpec::Crank { link, base, .. }] = &spec.drivers[..] else {
             return None;
         };

@@ -8,6 +8,7 @@ use crate::mechanism::plan::body::{Bodies, RigidBodies};
 use crate::mechanism::plan::resolved::Resolved;
 use crate::mechanism::{Layout, Part};
 use crate::position::{conjugate, product};
+use crate::sorting::sort;
 use crate::structure::subscript;
 use crate::tolerance::COINCIDENT;
 use crate::{Point, Vector};
@@ -111,7 +112,7 @@ impl Resolved<'_> {
                 .ids()
                 .flat_map(|body| before(body).map(move |base| [body, base]));
             let Some(doubling) = pairs.find_map(|pair| Doubling::of(bodies, pair)) else {
-                self.doubled.sort_unstable();
+                sort(&mut self.doubled);
                 return Ok(rigid);
             };
             self.join(doubling);
@@ -161,7 +162,7 @@ impl Doubling {
         let alike = |(_, [a, b]): &(PointId, [Vector; 2])| (placed(*a) - b).norm() <= closest;
         let others = others.into_iter().map(|(point, at)| (point, placed(at)));
         let mut points: Vec<PointId> = shared.iter().map(|(point, _)| *point).collect();
-        points.sort_unstable();
+        sort(&mut points);
         shared.iter().all(alike).then(|| Self {
             body,
             base,

@@ -3,6 +3,7 @@
 
 use super::truth::non_negative;
 use super::{Angles, Subsystem, Truth, Unknown, sine, truth};
+use crate::sorting::sort_by_key;
 use crate::tolerance;
 
 /// Cases of P and Q, with the z₁ for which z = P + Q z₁ is positive.
@@ -99,7 +100,7 @@ pub fn conditions(angles: &Angles) -> Vec<Condition> {
         all.extend((0..2).flat_map(|k| of_signs(&by, k)));
     }
     all.extend(of_cases(angles));
-    all.sort_by_key(|condition| condition.number);
+    sort_by_key(&mut all, |condition| condition.number);
     all
 }
 
