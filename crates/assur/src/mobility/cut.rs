@@ -31,7 +31,7 @@ pub enum CutError {
     NotOfPair { pair: String, link: String },
     /// More than two links meet in this pair: the detached link must be named.
     WhichLink { pair: String },
-    /// This pair was cut before, and nothing is left to cut.
+    /// This cut was made before, or the pair has only one link left.
     CutTwice { pair: String },
     /// A contour is still closed; the pairs of the shortest one are listed in order.
     StillClosed { pairs: Vec<String> },

@@ -1,4 +1,4 @@
-//! Kinds of pairs, by their freedoms.
+//! Kinds of pairs and their freedoms.
 
 /// Kind of a kinematic pair, by its form. Most pairs have an *axis* (of rotation, sliding, or a cylinder) or a *normal*
 /// (of a plane). Some also have a second direction, perpendicular to this axis or normal.
@@ -84,7 +84,7 @@ impl PairKind {
         matches!(self, Self::CylinderOnPlane | Self::SphereOnPlane)
     }
 
-    /// True if the pair allows rotation in the plane normal to its axis.
+    /// True if the axis of the pair, in a planar scheme, is by default the normal of the plane.
     pub(super) fn turns_in_plane(self) -> bool {
         matches!(
             self,

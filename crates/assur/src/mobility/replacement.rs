@@ -120,8 +120,8 @@ impl Scheme {
         spec
     }
 
-    /// Changes that keep the freedoms of a pair and add others. Directions that may be chosen freely are in general
-    /// position; they depend on `place`, the index of the pair in the order of names.
+    /// Changes that keep the freedoms of a pair and add others. A new direction is in general position, unless the
+    /// plane of a planar scheme fixes it; it depends on `place`, the index of the pair in the order of names.
     fn others(&self, pair: usize, place: usize) -> Vec<Change> {
         let Pair { kind, links, .. } = &self.pairs()[pair];
         let (axis, second) = (self.pairs()[pair].axis, self.pairs()[pair].second);

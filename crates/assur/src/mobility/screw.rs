@@ -69,7 +69,7 @@ impl Form {
         }
     }
 
-    /// Basis of the wrenches of the pair: six minus the number of its freedoms; empty for a [`PairKind::Class`].
+    /// Basis of the wrenches of the pair, one wrench for each constraint; empty for a [`PairKind::Class`].
     pub(super) fn constraints(&self) -> Vec<Screw> {
         let [axis, second, third] = self.frame;
         let force = |along: Vector3| screw(self.place.cross(&along), along);
@@ -108,7 +108,7 @@ impl Form {
         }
     }
 
-    /// Basis of the planar components of the pair's wrenches: three minus the number of its freedoms in the plane.
+    /// Basis of the planar components of the pair's wrenches, one for each constraint in the plane.
     pub(super) fn constraints_in_plane(&self) -> Vec<Screw> {
         let in_plane = |wrench: &Screw| {
             Screw::from_fn(|row, _| {
@@ -205,7 +205,7 @@ mod tests {
         }
     }
 
-    /// In the plane z = 0 a hinge and a slide hold two freedoms, a contact with its line along z one, and a plane none.
+    /// In the plane z = 0 a hinge and a slide have two constraints each, a contact of surfaces one, and a plane none.
     #[test]
     fn constraints_of_pairs_in_the_plane() {
         let (x, z) = (Vector3::x(), Vector3::z());
@@ -222,7 +222,7 @@ mod tests {
         }
     }
 
-    /// Three hinges with parallel axes in one plane have only two independent twists; a fourth beside it makes three.
+    /// Three hinges with parallel axes in one plane have only two independent twists; with a fourth outside it, three.
     #[test]
     fn parallel_axes_in_a_plane_have_two_independent_twists() {
         let hinge = |x: f64, y: f64| {

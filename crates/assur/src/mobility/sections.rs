@@ -39,7 +39,7 @@ pub struct Loop {
     pub constraints: u8,
     /// S, the constraints of the cut pair, in space.
     pub spatial_constraints: u8,
-    /// λ: dimension of the space of relative motions in the contour, 2 to 6. It is the rank of the pairs' screws if
+    /// λ: dimension of the space of relative motions in the contour, at most 6. It is the rank of the pairs' screws if
     /// places and axes are known; otherwise it is 3 in the plane and 6 in space.
     pub motion_space: u8,
     /// 6 − λ: number of redundant constraints in space from closing the contour.
@@ -223,7 +223,8 @@ impl Open {
         Some(pairs)
     }
 
-    /// Nodes of the first contour found by a search from a link: a shortest contour if one passes through the link.
+    /// Nodes of the first contour found by a search from a link. If a shortest contour of the graph passes through the
+    /// link, this contour is as short.
     fn contour_at(&self, link: usize) -> Option<Vec<usize>> {
         let mut from = vec![None; self.near.len()];
         let mut queue = VecDeque::from([link]);

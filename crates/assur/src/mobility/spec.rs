@@ -27,8 +27,9 @@ pub struct PairSpec {
     /// Axis or normal of the pair, of any length. In a planar scheme it is by default the normal of the plane for a
     /// hinge, a cylindrical or universal pair, and a ball in a cylinder. Other pairs have no default.
     pub axis: Option<Vector3>,
-    /// Second direction, if the kind has one; only its component perpendicular to the axis counts. In a planar scheme
-    /// it is by default the normal of the plane for the line of a contact, and the y-axis for a universal pair.
+    /// Second direction, if the kind has one; only its component perpendicular to the axis counts. In a planar scheme,
+    /// if the pair has an axis, it is by default the normal of the plane, or the y-axis if the axis is along this
+    /// normal.
     pub second: Option<Vector3>,
 }
 

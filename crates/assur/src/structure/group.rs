@@ -259,7 +259,8 @@ mod tests {
     use super::*;
     use crate::structure::decompose;
 
-    /// Whether the pairs of two links 2 and 3 between the crank 1 and the frame 0 slide: outer, inner, outer.
+    /// Dyad of links 2 and 3 between the crank 1 and the frame 0. `slides`: whether its outer, inner, outer pair
+    /// slides.
     fn dyad(slides: [bool; 3]) -> Group {
         let pairs = [[1, 2], [2, 3], [3, 0]].into_iter().zip(slides);
         let pairs = pairs.map(|(links, slides)| match slides {

@@ -1,7 +1,7 @@
 //! The structure of any planar linkage: drivers and Assur groups, added one after another.
 //!
 //! The structure depends only on the [`Graph`] (the links that each pair joins) and on each [`Driver`]: not on lengths,
-//! names or order. [`decompose`] returns the [`Structure`], with groups of any class, or all faults.
+//! names or the order of the pairs. [`decompose`] returns the [`Structure`], with groups of any class, or all faults.
 //!
 //! # Groups
 //!
@@ -148,7 +148,8 @@ pub struct Driver {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Structure {
     /// The steps, sorted by level. The level of a step is one more than the highest level of the earlier steps that it
-    /// is joined to. Within a level drivers come first, then the other steps in the order of their lowest links.
+    /// is joined to. Within a level the drivers that add a link come first, then the groups in the order of their
+    /// lowest links, each after the drivers within it.
     pub steps: Vec<Step>,
     /// For each link, the index of the step that adds it; None for the ground.
     pub step_of: Vec<Option<usize>>,
@@ -213,8 +214,8 @@ impl Structure {
 
 /// Decomposes a linkage into its drivers and Assur groups.
 ///
-/// # Errors
-/// All faults of single pairs and drivers at once; if there are none, all faults of the count of freedoms.
+/// # Errors All faults of single pairs and drivers; if there are none, all faults of the count of freedoms; if there
+/// are none of these either, every [`Fault::Sliding`].
 pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
     taken_apart(graph, drivers, false)
 }
