@@ -1,6 +1,7 @@
 //! The equations of motion: torques, accelerations and powers.
 //!
-//! All arrays of bodies are in the order of [`Body::ALL`]. Values for the satellites are totals over all k of them.
+//! All arrays of bodies are in the order of [`Body::ALL`]. Inertia, damping and torques of the satellites are totals
+//! over all k of them.
 
 use super::differential::following;
 use super::gauss::{Moment, N};

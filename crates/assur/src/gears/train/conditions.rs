@@ -26,7 +26,8 @@ pub enum ConditionKind {
     RingGap,
     /// All satellites can be mounted at equal angles: (z₁ + z₄)/k is whole, or (z₁ + z₄)/(2k) if poles alternate.
     Assembly,
-    /// Neighbouring satellites, if there are two or more, do not touch: sin(π/k) > d_a2/(2 a_w).
+    /// Neighbouring satellites, if there are two or more, do not touch: sin(π/k) > d_a2/(2 a_w), or d₂ instead of d_a2
+    /// for magnets.
     Neighbours,
 }
 

@@ -21,9 +21,11 @@ pub struct Layout {
 impl Layout {
     /// Makes a layout from numbers entered by a person: the number of satellites, the module m, and the axis distance
     /// a_w. A wheel with z teeth has the diameter d = m z. The distance a_w, from the central axis to a satellite's
-    /// axis, is used for magnets only; without it the gaps at sun and ring are equal.  # Errors Every reason at once: a
-    /// number of satellites outside 1 to [`GearSet::MAX_WHEELS`](crate::gears::GearSet::MAX_WHEELS); lengths that are
-    /// not positive or not in range.
+    /// axis, is used for magnets only; without it the gaps at sun and ring are equal.
+    ///
+    /// # Errors
+    /// Every reason at once: a number of satellites outside 1 to
+    /// [`GearSet::MAX_WHEELS`](crate::gears::GearSet::MAX_WHEELS); lengths that are not positive or not in range.
     pub fn new(
         train: Train,
         satellites: f64,

@@ -27,7 +27,7 @@ impl Ratio {
 }
 
 impl fmt::Display for Ratio {
-    /// Writes the notation `1/3(4)`: link 1 relative to link 3, link 4 held.
+    /// Writes the notation `1/3(4)`: speed of link 1 divided by that of link 3, link 4 held.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [of, to, held] = [self.of, self.to, self.held].map(Shaft::number);
         write!(f, "{of}/{to}({held})")

@@ -4,8 +4,8 @@ use super::{Counts, Coupling, Kind, Layout, Member};
 use crate::relation::Relation;
 
 impl Layout {
-    /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s, in the order of the paper.
-    /// None for stepped and bevel trains, which the paper does not treat. Lengths are in the unit of the module.
+    /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s. Empty for stepped and bevel
+    /// trains, which the paper does not treat. Lengths are in the unit of the module.
     ///
     /// The gaps between pitch circles (δ₁₂ at the sun, δ₂₄ at the ring) are given only for a magnetic coupling; so are
     /// the clearances c₁₂ and c₂₄ between the tips, computed for teeth of standard height.

@@ -129,8 +129,8 @@ mod tests {
         assert!(layout.suggestions(Coupling::Contact, 0).is_empty());
     }
 
-    /// Five satellites fit 80 teeth, with a chord of 20 sin 36° between them; six, with sin 30° = 1/2, need smaller
-    /// ones.
+    /// Five satellites, 22 wide over the tips, have a chord of 40 sin 36° > 22 between centres. Six, with 40 sin 30° =
+    /// 20, need other wheels.
     #[test]
     fn six_satellites_need_other_wheels() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();

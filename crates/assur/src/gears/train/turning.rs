@@ -364,8 +364,8 @@ mod tests {
         }
     }
 
-    /// A speed that rises over 4 s: half of it after 2 s, when an eighth of 4 s at full speed has been made; then 2 s
-    /// are lost.
+    /// A speed that rises over 4 s: half of the full speed after 2 s, and as many turns as in 0.5 s at full speed; from
+    /// 4 s on, 2 s are lost.
     #[test]
     fn a_linear_rise_costs_half_its_time() {
         for (time, expected) in [

@@ -56,7 +56,7 @@ fn gap(shape: &Shape, at: &Direction) -> [Complex<f64>; 3] {
     }
 }
 
-/// Parameters x of the ends of a family; none at infinity.
+/// Parameters x of the ends of a family; None for an end at infinity.
 fn ends(shape: &Shape) -> [Option<f64>; 2] {
     match *shape {
         Shape::Directions { a, b, .. } if a < 0.0 => [Some(-a / b), None],

@@ -74,8 +74,8 @@ impl Angles {
         all.iter().all(|angle| angle.is_finite())
     }
 
-    /// Two unknowns as functions of the third; none if the links of the two are parallel. For z₁ as the third unknown,
-    /// this is excluded by the paper's (13).
+    /// Two unknowns as functions of the third; none if the links of the two are parallel or an angle is not finite. For
+    /// z₁ as the third unknown, parallel links are excluded by the paper's (13).
     ///
     /// The vector product of the loop equation zᵢeᵢ + zⱼeⱼ = e₀ − ze and eⱼ gives zᵢ(eᵢ × eⱼ) = e₀ × eⱼ − z(e × eⱼ).
     pub fn subsystem(&self, third: Unknown) -> Option<Subsystem> {
@@ -144,7 +144,7 @@ mod tests {
         }
     }
 
-    /// Two links in one line or opposite to each other do not determine two lengths.
+    /// Two links in the same or in opposite directions do not determine two lengths.
     #[test]
     fn parallel_links_leave_no_two_lengths() {
         for input in [30.0, 210.0, 390.0] {
@@ -158,7 +158,7 @@ mod tests {
         );
     }
 
-    /// Along the frame, an output has no component across it: rounding of sin 180° gives P and Q no sign.
+    /// An input along the frame has no component across it: rounding of sin 180° gives P and Q no sign.
     #[test]
     fn the_sine_of_half_turns_is_exactly_zero() {
         for turns in [0.0, 1.0, -1.0, 2.0, 7.0] {
