@@ -25,7 +25,7 @@ pub enum Dragged {
     Lengths {
         /// Lengths l₁ … l₄ of crank, coupler, rocker and frame.
         lengths: [f64; 4],
-        /// Assembly in which C is nearest to its required position.
+        /// Assembly in which C is nearest to its required position; unchanged if there is no pose.
         assembly: Assembly,
     },
 }

@@ -214,8 +214,9 @@ impl Structure {
 
 /// Decomposes a linkage into its drivers and Assur groups.
 ///
-/// # Errors All faults of single pairs and drivers; if there are none, all faults of the count of freedoms; if there
-/// are none of these either, every [`Fault::Sliding`].
+/// # Errors
+/// All faults of single pairs and drivers; if there are none, all faults of the count of freedoms; if there are none of
+/// these either, every [`Fault::Sliding`].
 pub fn decompose(graph: &Graph, drivers: &[Driver]) -> Result<Structure, Vec<Fault>> {
     taken_apart(graph, drivers, false)
 }

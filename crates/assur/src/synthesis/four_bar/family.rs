@@ -88,12 +88,12 @@ pub(super) enum Shape {
     Sizes { direction: f64 },
 }
 
-/// Range of a value. Ends at zero and infinity are excluded.
+/// Range of a value over the members of a family. An end may be a limit that no member attains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Range {
-    /// The minimum; zero if the value may be arbitrarily small.
+    /// The lower end; zero if the value may be arbitrarily small.
     pub from: f64,
-    /// The maximum; none if the value may be arbitrarily large.
+    /// The upper end; none if the value may be arbitrarily large.
     pub to: Option<f64>,
 }
 
@@ -358,7 +358,7 @@ impl Family {
         changes
     }
 
-    /// Parameter of the member with these proportions; none if the family does not contain them.
+    /// Parameter of the member with these proportions; none if their z₂ and z₃ are not on the line of the family.
     pub fn at(&self, proportions: Proportions) -> Option<f64> {
         let Proportions { output, input, .. } = proportions;
         let Line {

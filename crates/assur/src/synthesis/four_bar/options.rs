@@ -14,7 +14,7 @@ pub enum Options {
     Family(Family),
     /// Finitely many linkages: for three positions, or five with free starting angles.
     Exact(Vec<Solution>),
-    /// Compromises by increasing ΣJ: for more positions than the other cases allow.
+    /// Compromises by increasing ΣJ: for more positions, or for five special ones with free starting angles.
     Minima {
         /// Minima found by the search.
         minima: Vec<Minimum>,
@@ -33,7 +33,7 @@ pub enum NoOptions {
     },
     /// The positions are mirror images in the line of the frame, and output and input of any lengths meet them.
     Any,
-    /// The first two positions require lengths on this line, on which no point has two positive lengths.
+    /// Two positions require lengths on this line, on which no point has two positive lengths.
     NoFamily(Line),
     /// Three positions require these z₂ and z₃, at least one of them negative.
     Negative {

@@ -9,8 +9,8 @@ use crate::tolerance;
 pub enum ThreePositions {
     /// Exactly one linkage.
     One(Solution),
-    /// A length is negative at the intersection of the two lines. Adding half a turn to that link's angles gives a
-    /// linkage.
+    /// One length or both are negative at the intersection of the two lines. Adding half a turn to the angles of each
+    /// link of negative length gives a linkage.
     Negative {
         /// z₂.
         output: f64,

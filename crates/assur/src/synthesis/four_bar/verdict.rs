@@ -250,7 +250,8 @@ impl Met {
         }
     }
 
-    /// Range of the input from the first position to the last, in the shorter direction if both are possible.
+    /// Range of the input from the first position to the last, in the shorter direction if both are possible. For an
+    /// oscillating driver it is the range of all positions; otherwise, if the order is mixed, a whole period.
     fn span(&self) -> [f64; 2] {
         match (self.period, self.order()) {
             (None, _) => self.extremes,
