@@ -17,7 +17,7 @@ const MIN_SIZE: f64 = 1e-6;
 #[derive(Debug)]
 pub(crate) struct Drawing {
     pub(crate) document: LinkageDocument,
-    /// The point that was added last.
+    /// The point used or added last.
     pub(crate) point: Option<String>,
     /// The link that was added last.
     pub(crate) link: Option<String>,
@@ -262,7 +262,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// The line along which a point slides: the link that carries the line, and two points of that link.
+    /// The line along which a point slides: the link or frame that carries the line, and two points of it. On the
+    /// frame, these points are added.
     fn line(&mut self, point: &str, along: &Line) -> Result<(String, [String; 2]), LinkageProblem> {
         match along {
             Line::Toward(to) => {

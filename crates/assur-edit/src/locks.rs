@@ -322,8 +322,9 @@ impl Held {
         Some(ways)
     }
 
-    /// The residual of each lock, and its derivatives with respect to the coordinates of the free points.
-    /// None if points coincide, or an angle is off by more than a quarter turn.
+    /// The residual of each lock, and its derivatives with respect to the coordinates of the free points. None if the
+    /// points of a locked length coincide, a side of a locked angle is too short, or this angle is off by more than a
+    /// quarter turn.
     fn linear(&self, at: &[Vector], free: &[bool]) -> Option<(DVector<f64>, DMatrix<f64>)> {
         let mut columns = vec![None; free.len()];
         let mut count = 0;

@@ -14,7 +14,7 @@ pub(super) struct First {
     pub(super) delta: f64,
     /// The paper's denominator Λ = y_LC − y_CD x_LC/x_CD.
     pub(super) lambda: f64,
-    /// True if the determinants differ significantly from zero. They vanish if HL is as long as HG.
+    /// True if HL and HG differ in length. If they are equally long, the determinants vanish.
     pub(super) tells: bool,
 }
 
@@ -74,7 +74,7 @@ impl First {
         [b1 * b2 - b3 * b4, b5 * b2, -b3 * b5]
     }
 
-    /// The first derivative of G by Cramer's rule; NaN if the determinants may be zero.
+    /// The first derivative of G by Cramer's rule; NaN if HL is as long as HG.
     pub(super) fn solved(&self) -> Vector {
         let [det, x, y] = self.determinants();
         let det = if self.tells { det } else { f64::NAN };

@@ -56,7 +56,8 @@ impl CombinedMethod {
     }
 
     /// The paper's relations in a pose of the mechanism, in the order of the paper. Lengths are in the unit of the
-    /// drawing, derivatives with respect to the crank angle. Relations with a zero denominator are left out.
+    /// drawing, derivatives with respect to the crank angle. Relations whose corrected value is not finite are left
+    /// out.
     pub fn relations(&self, mechanism: &Mechanism, pose: &Pose<3>) -> Vec<Relation> {
         let places = Places::new(self.points.map(|point| mechanism.place(pose, point)));
         let first = First::new(&places);

@@ -56,7 +56,7 @@ impl Cycle {
     }
 
     /// The union of this cycle and another, and the shift by whole turns that brings the other cycle's arcs after the
-    /// arcs of this cycle. None if a driver turns fully or arcs overlap.
+    /// arcs of this cycle; zero without a period. None if a driver turns fully, periods differ or arcs overlap.
     pub(crate) fn joined(&self, other: &Self) -> Option<(Self, f64)> {
         let ends = |cycle: &Self| Some([cycle.arcs.first()?[0], cycle.arcs.last()?[1]]);
         let ([from, to], [first, last]) = (ends(self)?, ends(other)?);
@@ -107,7 +107,8 @@ impl Cycle {
     }
 
     /// The interval of the input to show. For a full cycle it is the period. For an oscillating crank it is one turn
-    /// that contains all arcs, from 0 or from −π if possible. For a slide it is the range.
+    /// that contains all arcs, from 0 or from −π if possible. For a slide, or for arcs that do not fit into a turn, it
+    /// is the range of the arcs.
     pub fn axis(&self) -> [f64; 2] {
         let [from, to] = [self.arcs[0][0], self.arcs[self.arcs.len() - 1][1]];
         match self.period {

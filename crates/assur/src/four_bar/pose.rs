@@ -6,8 +6,8 @@ use std::fmt;
 use super::{Assembly, FourBar, Link, tolerance};
 use crate::{Jet, JetPoint, Point};
 
-/// The angles of all moving links at one crank angle, with `N − 1` derivatives with respect to the crank angle. They
-/// are continuous along a motion. Made by [`FourBar::pose`] and [`FourBar::pose_along`] only.
+/// The angles of all moving links at one crank angle, with `N − 1` derivatives with respect to the crank angle. The
+/// angles are continuous along a motion. Made by [`FourBar::pose`] and [`FourBar::pose_along`] only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Pose<const N: usize> {

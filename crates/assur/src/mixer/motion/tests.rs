@@ -11,7 +11,7 @@ fn motion() -> Motion {
     mixer.motion().unwrap()
 }
 
-/// With three wheels, and points on the coupler and on the last wheel.
+/// The motion of a mixer with wheels 5 to 7, and with points on the coupler and on wheel 7.
 fn full() -> Motion {
     let mut dimensions = Case::A.dimensions();
     for teeth in [24.0, 12.0] {
@@ -53,7 +53,7 @@ fn rows(lengths: [f64; 4], steps: u32) -> (Vec<String>, Vec<Row>) {
     (names.collect(), (0..=turns * steps).map(row).collect())
 }
 
-/// Wheels and traced points are quantities as all others, in their places.
+/// Wheels and traced points have quantities as all links and points have, and come last in the lists of these.
 #[test]
 fn wheels_and_traced_points_are_quantities() {
     let full = full();
