@@ -19,7 +19,7 @@ const MAX_TRIED: usize = 16;
 pub struct Advice {
     /// All reasons why the drawing does not move.
     pub problems: Vec<Problem>,
-    /// Mobility W by the count of links and pairs; none if the drawing names a part that does not exist.
+    /// Mobility W by the count of links and pairs; none if a defect of the drawing prevents counting.
     pub mobility: Option<isize>,
     /// Links whose motion the drivers do not determine, or that nothing joins to the frame.
     pub loose: Vec<String>,

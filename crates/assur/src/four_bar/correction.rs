@@ -3,16 +3,17 @@
 use super::{FourBar, Pose};
 use crate::Jet;
 
-/// Ratio of φ₅′ to the rates of crank and coupler above which the derivatives of φ₂ and φ₃ are corrected. A sum of two angles
-/// that turn against each other at this ratio loses five bits with every order.
+/// Ratio of φ₅′ to the rates of crank and coupler above which the derivatives of φ₂ and φ₃ are corrected. A sum of two
+/// angles that turn against each other at this ratio loses five bits with every order.
 const FAST: f64 = 32.0;
 
 impl FourBar {
     /// Corrects the derivatives of φ₂ and φ₃ by one Newton step on the loop closure, if B is close to D.
     ///
-    /// There φ₅ and the angles of BCD change fast. In one assembly they turn against each other, and the derivatives of order
-    /// n of their sums have rounding errors of ε φ₅′ⁿ, which differ between φ₂ and φ₃. After the step the loop is closed in
-    /// all derivatives. The step divides by sin(φ₂ − φ₃), so it is omitted if coupler and rocker are nearly in line.
+    /// There φ₅ and the angles of BCD change fast. In one assembly they turn against each other, and the derivatives of
+    /// order n of their sums have rounding errors of ε φ₅′ⁿ, which differ between φ₂ and φ₃. After the step the loop is
+    /// closed in all derivatives. The step divides by sin(φ₂ − φ₃), so it is omitted if coupler and rocker are nearly
+    /// in line.
     pub(super) fn corrected<const N: usize>(&self, pose: Pose<N>, diagonal: Jet<N>) -> Pose<N> {
         let [fast, rate] = [diagonal, pose.coupler].map(|angle| angle.derivative(1).abs());
         if fast <= FAST * rate.max(1.0) {
@@ -43,9 +44,9 @@ impl FourBar {
 mod tests {
     use crate::four_bar::{Assembly, FourBar, Link, Offset};
 
-    /// A kite in the assembly in which C stays at A: φ₂ = φ₁ − π, and the rocker is at rest. At 0.001 rad the diagonal is
-    /// about a thousandth of a side and turns about 500 times as fast as the crank. Coupler and rocker still have the same
-    /// velocity and acceleration at C, to the last digit.
+    /// A kite in the assembly in which C stays at A: φ₂ = φ₁ − π, and the rocker is at rest. At 0.001 rad the diagonal
+    /// is about a thousandth of a side and turns about 500 times as fast as the crank. Coupler and rocker still have
+    /// the same velocity and acceleration at C, to the last digit.
     #[test]
     fn short_diagonal() {
         let linkage = FourBar::new([1.0, 1.0, 1.001, 1.001]).unwrap();

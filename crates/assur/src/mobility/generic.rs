@@ -16,7 +16,7 @@ const STEPS: [f64; 3] = [0.05, 0.02, 0.005];
 /// Mobility by rank away from the drawn pose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Generic {
-    /// Mobility in a pose nearby.
+    /// Mobility in a pose nearby; zero if the links cannot move in the drawn pose.
     At {
         /// Mobility W.
         mobility: usize,

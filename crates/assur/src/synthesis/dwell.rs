@@ -39,7 +39,7 @@ pub enum SearchError {
     Arc,
     /// The stroke is not positive and finite.
     Stroke,
-    /// The mechanism has no such output.
+    /// The mechanism has no such output, or the output is an undirected angle ([`Quantity::is_folded`]).
     Output,
     /// No dimension may be changed.
     Rigid,

@@ -78,8 +78,7 @@ fn wheels_and_traced_points_are_quantities() {
     assert!((speed - 0.1 * wheel7.derivative(1).abs()).abs() < 1e-14);
 }
 
-/// The middle of the crank runs on a circle, C₂ is half-way between B and C,
-/// C₃ between C and D, in every derivative.
+/// The middle of the crank runs on a circle, C₂ is half-way between B and C, C₃ between C and D, in every derivative.
 #[test]
 fn centres_follow_their_links() {
     let motion = motion();

@@ -1,12 +1,11 @@
 //! Levitsky's quadratic approximation: least squares of Freudenstein's equations.
 //!
 //! Let z₁, z₂, z₃ be the lengths of coupler, output and input relative to the frame, φ₂ and φ₃ the angles of output and
-//! input, and |r| the gap left for the coupler, so J = (|r| − z₁)².
-//! Levitsky's weighted difference is q = |r|² − z₁² = (|r| − z₁)(|r| + z₁). The residual of Freudenstein's equation
-//! cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, with Z = (z₁² − z₂² − z₃² − 1)/(2z₂z₃), is q/(2z₂z₃). So the sum of the
-//! squared residuals is ΣwJ with the weights w = ((|r| + z₁)/(2z₂z₃))². For three positions ΣJ and ΣwJ are both zero,
-//! at the same linkage. For more positions the weights differ little from position to position if J is small, and the
-//! minima of ΣJ and ΣwJ differ by the order of J.
+//! input, and |r| the gap left for the coupler, so J = (|r| − z₁)². Levitsky's weighted difference is q = |r|² − z₁² =
+//! (|r| − z₁)(|r| + z₁). The residual of Freudenstein's equation cos(φ₂ − φ₃) = Z + cos φ₂/z₃ + cos φ₃/z₂, with Z =
+//! (z₁² − z₂² − z₃² − 1)/(2z₂z₃), is q/(2z₂z₃). So the sum of the squared residuals is ΣwJ with the weights w = ((|r| +
+//! z₁)/(2z₂z₃))². For three positions ΣJ and ΣwJ are both zero, at the same linkage. For more positions the weights
+//! differ little from position to position if J is small, and the minima of ΣJ and ΣwJ differ by the order of J.
 
 use crate::numeric::linear::least_squares;
 use crate::synthesis::four_bar::{Proportions, Task};
