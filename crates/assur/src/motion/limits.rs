@@ -25,7 +25,8 @@ impl OutputProfile<'_> {
         self.extrema.iter().map(limit).collect()
     }
 
-    /// Minimum and maximum of the quantity on each arc of the motion; equal if they differ only by rounding.
+    /// Minimum and maximum of the quantity on each arc of the motion, equal if they differ only by rounding;
+    /// [`Swing::Turns`] for an angle that changes by whole turns over a full cycle.
     pub fn swings(&self) -> Vec<Swing> {
         if self.motion.cycle().is_full() && self.gain != 0.0 {
             return vec![Swing::Turns];

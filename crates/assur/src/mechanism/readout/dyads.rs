@@ -51,7 +51,7 @@ impl FourBarLoop {
 }
 
 impl Mechanism {
-    /// The RRR dyads, in the order in which they are solved.
+    /// The RRR dyads in the order of solving; those within groups with redundant constraints come last.
     pub fn rrr_dyads(&self) -> Vec<RrrDyad> {
         let arms = self.arms();
         arms.filter_map(|arms| self.dyad_of(arms)).collect()
