@@ -125,7 +125,7 @@ mod tests {
         check(-2.0, [[-1.0, 2.0], [-2.0, 2.0], [4.0, -2.0]]);
     }
 
-    /// Behind an idler, as large as the held sun, it translates (Ferguson's paradox).
+    /// A wheel as large as the held sun, with an idler between them, translates (Ferguson's paradox).
     #[test]
     fn a_wheel_behind_an_idler_translates() {
         check(0.0, [[1.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);

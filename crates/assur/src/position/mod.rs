@@ -132,7 +132,8 @@ pub enum Singularity {
 pub enum Cause {
     /// The input is not finite, or outside a driven slide's range.
     Input,
-    /// The distance between the solved joints is too large or too small by this length.
+    /// The distance between the solved joints is too large or too small by this length; for a group solved by Newton's
+    /// method, its largest closure error.
     Apart {
         /// Excess or lack, in the unit of length.
         by: f64,

@@ -96,7 +96,7 @@ impl Mechanism {
         from.zip(to).map_or(0.0, |(from, to)| (to - from).norm())
     }
 
-    /// The four-bars, in the order in which their dyads are solved.
+    /// The four-bars, in the order of their dyads in [`Self::rrr_dyads`].
     pub fn four_bars(&self) -> Vec<FourBarLoop> {
         let arms = self.arms();
         arms.filter_map(|arms| self.four_bar_of(arms)).collect()

@@ -46,7 +46,7 @@ pub(crate) struct GroupAssemblies {
     pub(crate) solved: bool,
     /// Number of all assemblies over the complex numbers, including the real ones.
     pub(crate) complex: usize,
-    /// The assemblies that are not real.
+    /// The assemblies that are not real; empty if no derivatives are wanted.
     pub(crate) complex_pairs: Vec<ComplexPair>,
 }
 
