@@ -59,8 +59,8 @@ impl DrivenFourBar<'_> {
         matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.angle_offset)
     }
 
-    /// Inputs of the change points within an arc, in ascending order; the end of the arc is excluded. Two motions cross
-    /// at a change point. In a kite, coupler and rocker swing freely from one motion to the other.
+    /// Inputs within an arc at which two motions meet, in ascending order; the end of the arc is excluded. They cross
+    /// at a change point; in a kite, coupler and rocker also swing freely from one to the other.
     pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let turns = self.turns();
         let period = TAU * turns as f64;

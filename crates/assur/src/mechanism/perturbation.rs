@@ -49,7 +49,7 @@ pub(crate) struct LoopOpen {
 pub(crate) enum NoNeighbour {
     /// Links of the neighbour cannot be joined.
     LoopOpen(LoopOpen),
-    /// The linkage with this setting is not a mechanism in any assembly.
+    /// The neighbour is not a mechanism in any assembly.
     Defects(Vec<Defect>),
 }
 

@@ -101,7 +101,7 @@ impl<'a> OutputProfile<'a> {
         if let Some(period) = profile.period {
             profile.gain = motion.seam(period).gain(quantity);
             profile.stations = if profile.monotone {
-                // A deltoid may be indeterminate at input 0; the drawn input is then taken.
+                // A kite may be indeterminate at input 0; the drawn input is then taken.
                 let starts = [0.0, motion.drawn_input()].into_iter();
                 let mut stations = profile.valued(starts);
                 stations.truncate(1);

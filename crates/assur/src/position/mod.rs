@@ -157,7 +157,7 @@ pub enum Cause {
         /// Residual of the constraint as a length.
         by: f64,
     },
-    /// The pose exists, but the shown motion does not reach it.
+    /// The pose exists, but the motion does not reach it.
     Unreached,
     /// The motion was followed only up to an earlier input; it is unknown whether it reaches this input.
     Unfollowed,

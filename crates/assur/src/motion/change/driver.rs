@@ -72,7 +72,8 @@ impl Motion {
         Ok(moves.then_some(range))
     }
 
-    /// Returns the linkage with a new rate of a further driver, given by its index, starting from the pose at an input.
+    /// Returns the linkage with a new rate of a further driver, given by its index, starting from the pose at an input
+    /// or, if there is none, from the drawn pose.
     ///
     /// # Errors
     /// The defects of the linkage at the new rate.
