@@ -10,7 +10,7 @@ use crate::sorting::sort_by;
 use crate::structure;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
-/// Four-bar of the driven crank, the frame and a dyad that is solved in one step.
+/// Four-bar of the driven crank, the frame and an RRR dyad, in closed form.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DrivenFourBar<'a> {
     /// Step of the plan that solves the four-bar.

@@ -89,7 +89,7 @@ mod tests {
         check(end(-1.0), [[1.0, 1.0], [-1.0, 0.0], [0.0, -1.0]]);
     }
 
-    /// Fixed to the first crank in its direction, the two are one crank of length 2.
+    /// At rest relative to the first, the second crank forms one crank of length 2 with it.
     #[test]
     fn a_crank_at_rest_on_a_crank_is_one_body_with_it() {
         check(end(0.0), [[0.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);

@@ -119,7 +119,8 @@ mod tests {
         check(2.0, [[-1.0, 2.0], [-2.0, -2.0], [4.0, -2.0]]);
     }
 
-    /// Inside a held ring of three times its size it turns at 1 − 3 = −2 and is at −180°, and v = (−2, 0) − 2·(0, −1).
+    /// Inside a held ring of three times its size, a satellite turns at 1 − 3 = −2 and is at −180°, and v = (−2, 0) −
+    /// 2·(0, −1).
     #[test]
     fn a_satellite_in_a_ring_of_three_times_its_size_turns_back_twice() {
         check(-2.0, [[-1.0, 2.0], [-2.0, 2.0], [4.0, -2.0]]);
