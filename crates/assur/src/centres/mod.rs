@@ -150,7 +150,8 @@ mod tests {
         both.map(|all| all.iter().find(|one| one.bodies == bodies).unwrap().centre)
     }
 
-    /// Asserts that Kennedy's theorem and the velocities both give a point or, with `None`, this direction at infinity.
+    /// Asserts that Kennedy's theorem and the velocities both give this point or, if `is_finite` is false, this
+    /// direction at infinity.
     fn check(spec: &LinkageSpec, names: [&str; 2], expected: Vector, is_finite: bool) {
         for found in centre(spec, names) {
             match found {

@@ -92,7 +92,8 @@ impl Motion {
         self.numbered(found, input, output)
     }
 
-    /// Draws the linkage at an input in the assembly with a given number, counted from 0.
+    /// Draws the linkage at an input in the assembly with a given number, counted from 0. A singular pose of this
+    /// motion, in which assemblies meet, gives the mechanism as it was drawn.
     ///
     /// # Errors
     /// No assembly has this number.

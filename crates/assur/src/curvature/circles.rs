@@ -129,9 +129,6 @@ mod tests {
         assert_eq!(rolling.inflection(), (Point::new(0.0, 0.5), 0.5));
     }
 
-    /// A slider-crank with crank 3 and rod 5, stretched out. The pole of the rod is the slider at (8, 0), and θ′ =
-    /// −3/5. The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along it. The paths of all points of the
-    /// inflection circle are straight to the third order.
     /// At a dead centre of a slider-crank, the paths of all points of the inflection circle are straight to the third
     /// order, whatever the lengths.
     #[test]
@@ -159,6 +156,9 @@ mod tests {
         }
     }
 
+    /// A slider-crank with crank 3 and rod 5, stretched out. The pole of the rod is the slider at (8, 0), and θ′ =
+    /// −3/5. The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along it. The paths of all points of the
+    /// inflection circle are straight to the third order.
     #[test]
     fn circles_of_a_stretched_slider_crank() {
         let slider_crank = LinkageSpec::default()

@@ -17,7 +17,7 @@ pub struct Evolute {
 }
 
 impl Evolute {
-    /// Samples the evolute for a point; empty if the point is at rest.
+    /// Samples the evolute for a point; empty if the point is at rest or its path is straight.
     pub fn of(motion: &Motion, point: PointId) -> Self {
         let mechanism = motion.mechanism();
         let size = mechanism.size();

@@ -42,8 +42,8 @@ pub struct Curvature {
 }
 
 impl Curvature {
-    /// Finds the curvature for a point with at least three derivatives, in a drawing of this size. None if the point is
-    /// at rest: permanently, or for an instant at a cusp of its path.
+    /// Finds the curvature for a point with at least three derivatives, in a drawing of the size `size`. None if the
+    /// point is at rest: permanently, or for an instant at a cusp of its path.
     pub fn of<const N: usize>(point: &JetPoint<N>, size: f64) -> Option<Self> {
         let [v, a, j] = [1, 2, 3].map(|order| point.derivative(order));
         let speed = v.norm();

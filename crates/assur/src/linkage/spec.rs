@@ -234,7 +234,7 @@ impl LinkageSpec {
         self
     }
 
-    /// Adds a moving link with these points and the dimensions of the drawing.
+    /// Adds a moving link with given points and the dimensions of the drawing.
     #[must_use]
     pub fn bar(mut self, name: &str, points: &[&str]) -> Self {
         self.links.push(LinkSpec {
@@ -312,7 +312,7 @@ impl LinkageSpec {
         point.map(|point| point.at)
     }
 
-    /// The link with this name.
+    /// The link with a given name.
     pub(crate) fn link(&self, name: &str) -> Option<&LinkSpec> {
         self.links.iter().find(|link| link.name == name)
     }
@@ -323,7 +323,7 @@ impl LinkageSpec {
     }
 }
 
-/// Diagonal of the bounding box of these places.
+/// Diagonal of the bounding box of given places.
 pub(crate) fn extent(places: impl Iterator<Item = Vector>) -> f64 {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {

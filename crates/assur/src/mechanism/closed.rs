@@ -10,7 +10,7 @@ use crate::sorting::sort_by;
 use crate::structure;
 use crate::{Assembly, FourBar, Grashof, Unsolved, Vector};
 
-/// Four-bar of the driven crank, the frame and a dyad that is solved in one step.
+/// Four-bar of the driven crank, the frame and an RRR dyad, in closed form.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DrivenFourBar<'a> {
     /// Step of the plan that solves the four-bar.
@@ -59,8 +59,8 @@ impl DrivenFourBar<'_> {
         matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.angle_offset)
     }
 
-    /// Inputs of the change points within an arc, in ascending order; the end of the arc is excluded. Two motions cross
-    /// at a change point. In a kite, coupler and rocker swing freely from one motion to the other.
+    /// Inputs within an arc at which two motions meet, in ascending order; the end of the arc is excluded. They cross
+    /// at a change point; in a kite, coupler and rocker also swing freely from one to the other.
     pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let turns = self.turns();
         let period = TAU * turns as f64;
@@ -159,7 +159,7 @@ impl Mechanism {
     }
 
     /// Inputs within an arc at which the crank is in line with the outer hinges of an RRR or RPR dyad, one hinge on the
-    /// crank and the other fixed. At these inputs the distance of the two hinges is minimum or maximum.
+    /// crank and the other fixed. At these inputs the distance between the two hinges is minimum or maximum.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.angle_offset);
         let guided = self.steps().iter().filter_map(|step| match step {
@@ -190,7 +190,8 @@ impl Mechanism {
         is_first.then(|| angle(driven.local - crank.hinge) - crank.angle_offset - base)
     }
 
-    /// True if two drawings show the same linkage: equal names and steps, and joints at equal positions on the bodies.
+    /// True if two drawings show the same linkage: equal names and steps, equal range and rates of the drivers, and
+    /// joints at equal positions on the bodies.
     pub(crate) fn is_redrawn_as(&self, other: &Self) -> bool {
         let within = tolerance::COINCIDENT * self.size();
         let near = |a: &Vector, b: &Vector| (a - b).norm() <= within;

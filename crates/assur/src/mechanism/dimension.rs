@@ -25,8 +25,8 @@ pub enum Dimension {
     /// points keep their positions on the link.
     Length(LinkId),
     /// Distance from the first (0) or second (1) point of a link to a later point, given by its index from 2. If it is
-    /// set, the first two points stay. If (0), the later point keeps its angle at the first point; if (1), its distance
-    /// from the first point.
+    /// set, the first two points stay. Setting a distance from the first point keeps the angle there; setting one from
+    /// the second point keeps the distance from the first.
     Side(LinkId, [usize; 2]),
     /// Angle at the first point of a link, from the second point to a later point, given by its index from 2; radians
     /// in (−π, π]. If it is set, the adjacent sides keep their lengths.
@@ -49,9 +49,10 @@ const OPENED: f64 = 0.5;
 const MAX_SHIFT: f64 = 0.1;
 
 impl Mechanism {
-    /// All dimensions, in the order of the specification. The length, sides and corners of each link are followed by
+    /// All dimensions, in the order of the specification: first the length, sides and corners of each link, then
     /// offsets of slides, then coordinates of hinges and guide points of the frame. A point of the frame is left out if
-    /// a driven slide is measured from it, or if a link at this point is fixed to another link or carries a fixed link.
+    /// a driven slide is measured from it, or if a link at this point is fixed to another link, carries a fixed link or
+    /// doubles the frame.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let spec = self.spec();
         let links = self.link_ids().zip(&spec.links);

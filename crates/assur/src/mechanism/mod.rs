@@ -91,7 +91,7 @@ pub struct Mechanism {
 }
 
 /// Input and pose from which the motion is followed: those of the drawing or, if the drawn pose is singular, an input
-/// and pose nearby. The pose is blank if a closed form gives the motion.
+/// and pose nearby. If a closed form gives the motion, the pose is not used and may be invalid.
 #[derive(Clone, Debug)]
 struct Start {
     input: f64,

@@ -61,7 +61,8 @@ impl Mechanism {
         &self.layout.links[link].points
     }
 
-    /// Link to which a link is ultimately fixed, or else the link itself; None if the link is fixed to the frame.
+    /// Link for which the body of a link is made: the link itself, or the one to which it is fixed or which it doubles.
+    /// None if it is one body with the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
         self.link_of(self.layout.links[link].body)
     }
@@ -85,7 +86,7 @@ impl Mechanism {
         shown.map_or(&layout.structure, |passive| &passive.structure)
     }
 
-    /// Bodies: the frame, then the links that are fixed to no other link.
+    /// Bodies: the frame, then those of the links that are neither fixed to another link nor doubled.
     pub fn bodies(&self) -> impl ExactSizeIterator<Item = BodyId> + Clone + use<> {
         self.layout.bodies.ids()
     }

@@ -49,7 +49,7 @@ pub(crate) struct LoopOpen {
 pub(crate) enum NoNeighbour {
     /// Links of the neighbour cannot be joined.
     LoopOpen(LoopOpen),
-    /// The linkage with this setting is not a mechanism in any assembly.
+    /// The neighbour is not a mechanism in any assembly.
     Defects(Vec<Defect>),
 }
 
@@ -61,7 +61,7 @@ const CONTRACTION: f64 = 0.125;
 /// Maximum first Newton correction, in units of the unknowns.
 const CORRECTED: f64 = 0.03;
 /// Maximum factor by which the Jacobian determinant of a group may change. The determinant tends to zero where two
-/// solutions meet, so with this limit one is not taken for the other.
+/// solutions meet, so with this limit one solution is not taken for the other.
 const CHANGED: f64 = 2.0;
 
 impl Assembled {

@@ -12,7 +12,8 @@ use crate::{Jet, JetPoint};
 pub struct Unsolved {
     /// Input that has no pose.
     pub input: f64,
-    /// Step of the plan that fails; [`Mechanism::links_of`] gives the names of its links.
+    /// Step of the plan that fails, or the first step if the input is not reached; [`Mechanism::links_of`] gives the
+    /// names of its links.
     pub step: StepId,
     /// Cause of the failure.
     pub cause: Cause,

@@ -67,7 +67,7 @@ pub(super) fn period_turns(spec: &Resolved<'_>) -> Result<Option<usize>, Vec<Def
     }
 }
 
-/// Denominator of a ratio of numbers of teeth, found from its continued fraction; None if it exceeds [`NEVER`].
+/// Denominator of a ratio of numbers of teeth, found from its continued fraction; None if [`NEVER`] or more.
 fn denominator(ratio: f64) -> Option<usize> {
     let mut rest = ratio;
     let mut denominators = [0.0, 1.0];
@@ -87,7 +87,7 @@ fn denominator(ratio: f64) -> Option<usize> {
     None
 }
 
-/// Least common multiple; None if it exceeds [`NEVER`].
+/// Least common multiple; None if [`NEVER`] or more.
 fn common(a: usize, b: usize) -> Option<usize> {
     let multiple = (a / num_integer::gcd(a, b).max(1)).checked_mul(b)?;
     (multiple < NEVER).then_some(multiple)
@@ -200,7 +200,7 @@ impl Mechanism {
     }
 
     /// Number of turns after which a mechanism of only cranks and wheels repeats, from the numbers of teeth. None for
-    /// any other mechanism, or if the number exceeds [`NEVER`].
+    /// any other mechanism, or if the number is [`NEVER`] or more.
     pub(crate) fn turns_of_wheels(&self) -> Option<usize> {
         let mut steps = self.steps().iter();
         let alone = steps.all(|step| matches!(step, Step::Crank(_) | Step::Epicyclic(_)));
@@ -218,7 +218,8 @@ impl Mechanism {
     }
 
     /// Shift of the input that leaves the poses of a motion between two dead points unchanged: [`Self::least_turns`] in
-    /// radians. None without such a number, or if a group depends on the number of turns of the crank.
+    /// radians. None without such a number, without a period of the drivers, or if a group depends on the number of
+    /// turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.layout.rates_of_bodies();
         let mut counted = self.steps().iter().flat_map(|step| match step {

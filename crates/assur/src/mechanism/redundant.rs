@@ -36,8 +36,8 @@ pub struct Mobility {
     /// Mobility by rank, W = 3n − r: r is the rank of the constraints of the pairs in a general pose.
     pub by_rank: isize,
     /// Names of the pairs with redundant constraints, one for each constraint, in the order of points, slides and
-    /// gears. A hinge or slide is named by its point, a mesh by both wheels. Of several dependent constraints the last
-    /// in this order is taken as redundant.
+    /// gears; then the hinges of doubled links. A hinge or slide is named by its point, a mesh by both wheels. Of
+    /// several dependent constraints the last in this order is redundant.
     pub redundant: Vec<String>,
 }
 

@@ -16,7 +16,8 @@ impl Mechanism {
     }
 
     /// Distance between two poses: the greatest turn (radians, if small) or displacement of a body. A displacement is
-    /// relative to the greater of the linkage's size and the body's distance from the origin. Idle wheels do not count.
+    /// relative to the greater of the linkage's size and the body's distance from the origin. Wheels that move nothing
+    /// else do not count.
     pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
         let bodies = self.bodies();
         let bodies = bodies.filter(|body| !self.layout.is_idle_wheel(*body));

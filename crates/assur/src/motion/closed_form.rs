@@ -66,7 +66,7 @@ impl Motion {
     /// Change in the angle of a rocker, or of a wheel driven by it, over a full cycle; None for other quantities.
     pub(super) fn gain_in_closed_form(&self, quantity: Quantity, period: f64) -> Option<f64> {
         let rocker = self.rocker(quantity)?;
-        // At a crank angle of 1 rad every deltoid is determinate.
+        // At a crank angle of 1 rad every kite is determinate.
         let at = |crank: f64| {
             let pose = rocker.closed.linkage.pose::<1>(rocker.assembly, crank);
             Some(pose.ok()?.rocker.value())

@@ -39,8 +39,9 @@ pub struct MadeExact {
 }
 
 impl LinkageSpec {
-    /// Nearest drawing whose redundant constraints hold over a motion. None if locking is not the only defect, if no
-    /// crank on the frame drives the linkage, or if a point would move by more than [`NEARLY`] of the drawing's size.
+    /// Nearest drawing whose redundant constraints hold over a motion. None unless locking is the only defect, a crank
+    /// on the frame is the only driver, and there are no gears, shapes or fixed links; or if a point would move by more
+    /// than [`NEARLY`] of the drawing's size.
     pub fn made_exact(&self) -> Option<MadeExact> {
         let refused = Mechanism::new(self).err()?;
         let locked =

@@ -4,7 +4,7 @@ use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// Poses just before and just after the end of a full cycle, because a deltoid has no pose at the end itself. The angle
+/// Poses just before and just after the end of a full cycle, because a kite has no pose at the end itself. The angle
 /// just after the end is extrapolated from the angle and the rate just before it.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,

@@ -6,7 +6,7 @@ use crate::tolerance;
 /// The input of a row, in two units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct At {
-    /// Input in the reader's unit.
+    /// Input in the unit of the table, such as degrees.
     pub counted: f64,
     /// Input in the engine's unit: radians of a crank, or the unit of lengths.
     pub input: f64,
@@ -23,16 +23,16 @@ pub struct At {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
-    /// The reader's unit expressed in the engine's unit: π/180 for degrees.
+    /// Unit of the table, expressed in the engine's unit: π/180 for degrees.
     pub unit: f64,
-    /// Origin of the steps, in the reader's unit.
+    /// Origin of the steps, in the unit of the table.
     pub origin: f64,
-    /// Step, positive, in the reader's unit.
+    /// Step, positive, in the unit of the table.
     pub step: f64,
 }
 
 impl At {
-    /// An input given in the reader's unit.
+    /// An input given in the unit of the table.
     pub fn counted(counted: f64, unit: f64) -> Self {
         let input = counted * unit;
         Self { counted, input }
@@ -46,13 +46,13 @@ impl At {
 }
 
 impl Motion {
-    /// The arcs of the motion, ascending, in the reader's unit.
+    /// The arcs of the motion, ascending, in the given unit.
     pub fn arcs_in(&self, unit: f64) -> Vec<[At; 2]> {
         let arcs = self.cycle.arcs().iter();
         arcs.map(|arc| arc.map(|end| At::of(end, unit))).collect()
     }
 
-    /// The inputs at which the motion turns back, ascending, in the reader's unit.
+    /// The inputs at which the motion turns back, ascending, in the given unit.
     pub fn ends_in(&self, unit: f64) -> Vec<At> {
         let turns_back = !self.cycle.is_full();
         let arcs = self.arcs_in(unit).into_iter().filter(|_| turns_back);

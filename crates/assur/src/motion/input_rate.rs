@@ -58,7 +58,8 @@ mod tests {
         };
         assert_eq!(rate.rates(&q, 0), [2.0, 3.0, 4.0]);
         assert_eq!(rate.rates(&q, 1), [30.0, 40.0, 50.0]);
-        // Its derivative by the crank angle is q‴ω₁² + q″ε₁; derivatives beyond the third count as zero.
+        // The acceleration has the derivative q‴ω₁² + q″ε₁ with respect to the crank angle; derivatives beyond the
+        // third count as zero.
         assert_eq!(rate.rates(&q, 2), [421.0, 528.0, 35.0]);
         assert_eq!(rate.rate(&q, 2), 421.0);
     }

@@ -20,8 +20,8 @@ pub enum Unjoinable {
 
 impl Motion {
     /// Union of this motion and another motion of the same linkage over other inputs. If a crank turns back, the
-    /// linkage may also be assembled on an arc that it cannot reach; `other` starts from a drawing there. The arcs of
-    /// `other` are shifted by whole turns to follow those of this motion.
+    /// linkage may also be assembled on an arc that this motion cannot reach; `other` starts from a drawing there. The
+    /// arcs of `other` are shifted by whole turns to follow those of this motion.
     ///
     /// # Errors
     /// The motions belong to different linkages, or overlap.

@@ -25,7 +25,8 @@ impl OutputProfile<'_> {
         self.extrema.iter().map(limit).collect()
     }
 
-    /// Minimum and maximum of the quantity on each arc of the motion; equal if they differ only by rounding.
+    /// Minimum and maximum of the quantity on each arc of the motion, equal if they differ only by rounding;
+    /// [`Swing::Turns`] for an angle that changes by whole turns over a full cycle.
     pub fn swings(&self) -> Vec<Swing> {
         if self.motion.cycle().is_full() && self.gain != 0.0 {
             return vec![Swing::Turns];
@@ -65,8 +66,8 @@ impl OutputProfile<'_> {
         self.motion.cycle().arcs().iter().map(travel).collect()
     }
 
-    /// Time ratio K ≥ 1 of the slow stroke to the quick one at constant speed of the crank. None unless the crank turns
-    /// fully and the quantity has two strokes per turn.
+    /// Time ratio K ≥ 1 of the slow stroke to the quick one at constant speed of the crank. None unless the cycle is
+    /// one full turn of the crank, with two strokes of the quantity.
     pub fn time_ratio(&self) -> Option<f64> {
         let period = self.period?;
         match self.extrema[..] {

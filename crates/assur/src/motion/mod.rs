@@ -234,23 +234,25 @@ impl Motion {
         self.drawn_input
     }
 
-    /// The dead points at which the driver must turn back; empty for a full cycle.
+    /// The ends of the motion: dead points, ends of ranges, and poses at which the motion is given up; empty for a full
+    /// cycle.
     pub fn dead_points(&self) -> &[DeadPoint] {
         &self.dead_points
     }
 
-    /// Names of the links that are in line at a dead point.
+    /// Names of the links placed by the step of the plan that stops at a dead point.
     pub fn links_at(&self, dead: &DeadPoint) -> impl Iterator<Item = &str> {
         self.mechanism.links_of(dead.step)
     }
 
-    /// Change points: inputs at which links pass through in line and another motion crosses this one.
+    /// Change points: inputs at which links come into line and pass through, and another motion crosses this one.
     pub fn change_points(&self) -> &[f64] {
         &self.change_points
     }
 
     /// Margin from singular poses, for groups solved by Newton's method: the smallest ratio, over the motion, of a
-    /// Jacobian's determinant to its maximum, with the sign of the determinant; 1 if there is no such group.
+    /// Jacobian's determinant to its maximum, with the product of the signs of all the determinants; 0 if one vanishes,
+    /// 1 if there is no such group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, step)| matches!(step, Step::Group(_)));

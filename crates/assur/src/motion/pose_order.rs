@@ -1,5 +1,5 @@
-//! Poses of a motion with any number of derivatives. The solver is compiled once, with the engine: a generic solver
-//! would be compiled again in every crate that uses it.
+//! Poses of a motion with up to five derivatives. The solver is compiled once, with the engine: a generic solver would
+//! be compiled again in every crate that uses it.
 
 use super::Motion;
 use crate::index::StepId;

@@ -101,7 +101,7 @@ impl<'a> OutputProfile<'a> {
         if let Some(period) = profile.period {
             profile.gain = motion.seam(period).gain(quantity);
             profile.stations = if profile.monotone {
-                // A deltoid may be indeterminate at input 0; the drawn input is then taken.
+                // A kite may be indeterminate at input 0; the drawn input is then taken.
                 let starts = [0.0, motion.drawn_input()].into_iter();
                 let mut stations = profile.valued(starts);
                 stations.truncate(1);
@@ -301,8 +301,8 @@ impl<'a> OutputProfile<'a> {
         best
     }
 
-    /// Strokes of a cycle, from extremum to extremum, each with the inputs and values at its ends. Empty for an angle
-    /// that only increases or only decreases.
+    /// Strokes between neighbouring extrema or ends of the arc, each with the inputs and values at its ends. Empty for
+    /// a full cycle without extrema, as of an angle that only increases.
     pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
         if self.period.is_some() && self.monotone {
             return Vec::new();
@@ -311,7 +311,7 @@ impl<'a> OutputProfile<'a> {
         (0..self.pieces()).filter_map(stroke).collect()
     }
 
-    /// Difference of maximum and minimum over the strokes; None for an angle that only increases or only decreases.
+    /// Difference of maximum and minimum over the strokes; None if there are no strokes.
     pub fn stroke(&self) -> Option<f64> {
         let strokes = self.strokes();
         let values = strokes.iter().flatten().map(|[_, value]| *value);

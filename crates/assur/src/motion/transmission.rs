@@ -26,8 +26,8 @@ pub struct DyadTransmission {
 }
 
 impl Motion {
-    /// The minimum transmission angle of each RRR dyad and the maximum pressure angle of each RRP dyad, in the order in
-    /// which the dyads are solved.
+    /// The minimum transmission angle of each RRR dyad and the maximum pressure angle of each RRP dyad, in the order of
+    /// [`Mechanism::transmitting`](crate::mechanism::Mechanism::transmitting).
     pub fn transmissions(&self) -> Vec<DyadTransmission> {
         let transmitting = self.mechanism().transmitting().into_iter();
         let worst = transmitting.filter_map(|quantity| {

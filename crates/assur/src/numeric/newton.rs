@@ -38,8 +38,9 @@ pub(crate) fn is_exact(change: f64, last: f64) -> bool {
     last.is_finite() && change * (change / last).powi(2) <= NEGLIGIBLE_STEP
 }
 
-/// Repeats steps from a state as long as each step reduces the residual. `step` returns the next state and its
-/// residual, or None if the step is undefined. The result is the last state and its residual.
+/// Repeats steps from a state as long as each step reduces the residual, at most [`MAX_STEPS_FROM_DRAWING`]. `step`
+/// returns the next state and its residual, or None if the step is undefined. The result is the last state and its
+/// residual.
 pub(crate) fn descended<T>(
     mut state: T,
     mut residual: f64,

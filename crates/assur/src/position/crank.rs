@@ -76,19 +76,20 @@ mod tests {
         assert!(both.all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
     }
 
-    /// Turning forwards by as much, the second crank is at 180° and turns at 2: v = (−1, 0) + 2·(0, −1).
+    /// At the same rate relative to the first, the second crank is at 180° and turns at 2: v = (−1, 0) + 2·(0, −1).
     #[test]
     fn angular_velocities_of_cranks_on_cranks_add_up() {
         check(end(1.0), [[-1.0, 1.0], [-1.0, -2.0], [4.0, -1.0]]);
     }
 
-    /// Turning backwards by as much, the second crank keeps its direction and only translates with the hinge.
+    /// At the opposite rate relative to the first, the second crank keeps its direction and only translates with the
+    /// hinge.
     #[test]
     fn a_crank_that_turns_back_on_a_crank_translates() {
         check(end(-1.0), [[1.0, 1.0], [-1.0, 0.0], [0.0, -1.0]]);
     }
 
-    /// Fixed to the first crank in its direction, the two are one crank of length 2.
+    /// At rest relative to the first, the second crank forms one crank of length 2 with it.
     #[test]
     fn a_crank_at_rest_on_a_crank_is_one_body_with_it() {
         check(end(0.0), [[0.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);

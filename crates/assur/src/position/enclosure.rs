@@ -5,7 +5,7 @@
 //! The pose of every body and its first derivative are known at the start of the step. For a point p, a bound b on the
 //! second derivative over the step then encloses the path: after a change t of the input, the point is within t²b/2 of
 //! p + t p′. In the order of solving, the bounds for each body follow from those for the bodies joined to it, and from
-//! a lower bound on the sine of the angle between the links of its dyad. The same enclosures give the latter bound.
+//! a lower bound on the sine of the angle between the links of its dyad. The same enclosures give this lower bound.
 //! Groups of higher class are certified by L. V. Kantorovich's theorem (J. M. Ortega and W. C. Rheinboldt, *Iterative
 //! Solution of Nonlinear Equations in Several Variables*, 1970, 12.6).
 

@@ -119,13 +119,14 @@ mod tests {
         check(2.0, [[-1.0, 2.0], [-2.0, -2.0], [4.0, -2.0]]);
     }
 
-    /// Inside a held ring of three times its size it turns at 1 − 3 = −2 and is at −180°, and v = (−2, 0) − 2·(0, −1).
+    /// Inside a held ring of three times its size, a satellite turns at 1 − 3 = −2 and is at −180°, and v = (−2, 0) −
+    /// 2·(0, −1).
     #[test]
     fn a_satellite_in_a_ring_of_three_times_its_size_turns_back_twice() {
         check(-2.0, [[-1.0, 2.0], [-2.0, 2.0], [4.0, -2.0]]);
     }
 
-    /// Behind an idler, as large as the held sun, it translates (Ferguson's paradox).
+    /// A wheel as large as the held sun, with an idler between them, translates (Ferguson's paradox).
     #[test]
     fn a_wheel_behind_an_idler_translates() {
         check(0.0, [[1.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);

@@ -132,7 +132,8 @@ pub enum Singularity {
 pub enum Cause {
     /// The input is not finite, or outside a driven slide's range.
     Input,
-    /// The distance between the solved joints is too large or too small by this length.
+    /// The distance between the solved joints is too large or too small by this length; for a group solved by Newton's
+    /// method, its largest closure error.
     Apart {
         /// Excess or lack, in the unit of length.
         by: f64,
@@ -156,7 +157,7 @@ pub enum Cause {
         /// Residual of the constraint as a length.
         by: f64,
     },
-    /// The pose exists, but the shown motion does not reach it.
+    /// The pose exists, but the motion does not reach it.
     Unreached,
     /// The motion was followed only up to an earlier input; it is unknown whether it reaches this input.
     Unfollowed,

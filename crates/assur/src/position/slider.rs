@@ -90,7 +90,7 @@ mod tests {
         check(slider(1, DriveLaw::FIRST, 0.0), expected);
     }
 
-    /// On the frame at twice the input, 3 to the left of the line.
+    /// On the frame at twice the input less 1, and 3 to the left of the line.
     #[test]
     fn a_slide_on_the_frame_moves_straight() {
         let law = DriveLaw::through(2.0, [0.0, -1.0]);

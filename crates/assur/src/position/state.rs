@@ -232,7 +232,7 @@ mod tests {
         Vector::new(angle.cos(), angle.sin())
     }
 
-    /// From 170° to the turn of −170°, 20° on: 190°. From there on in steps of less than half a turn the angle grows.
+    /// From 170° to the turn of −170°, 20° on: 190°; then back to 170°.
     #[test]
     fn an_angle_continues_beyond_half_a_turn() {
         let [from, to] = [170_f64, -170.0].map(f64::to_radians);

@@ -75,7 +75,7 @@ impl RigidBodies {
     }
 
     /// Rigid bodies of a specification. `hinge` is a hinge of the frame with the position to which it is moved, if any;
-    /// links, guides and wheels at this hinge stay as drawn.
+    /// only the frame gets this position, and the bodies of links are made as drawn.
     ///
     /// # Errors
     /// A link of undetermined orientation.

@@ -204,7 +204,8 @@ impl<'a> Resolved<'a> {
     }
 }
 
-/// Body of a link: its own, or that of the link to which it is ultimately fixed. None if links are fixed in a circle.
+/// Body of a link: its own, or that of the link to which it is ultimately fixed. None if links are fixed to each other
+/// in a ring.
 fn body(
     link: LinkId,
     bases: &List<LinkId, Option<LinkOrFrame>>,

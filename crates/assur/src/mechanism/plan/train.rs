@@ -24,7 +24,7 @@ impl Placed<'_> {
     }
 
     /// Mounts those wheels of a group whose orientation no point or guide shows. Such a wheel is set by its first mesh
-    /// with a wheel of known orientation: so that the angles of both wheels relative to the carrier are zero together.
+    /// with a wheel of known orientation, so that the angles of both wheels relative to the carrier are zero together.
     /// Driven wheels are left out, because their coordinates give their angles.
     pub(in crate::mechanism) fn mount(&mut self, group: &[BodyId], driven: &[DrivenPair]) {
         let round = group.iter().copied();

@@ -167,8 +167,8 @@ mod tests {
         assert_eq!(ratios, expected);
     }
 
-    /// A multiple of an equation, or the sum of two, follows from them; an equation of other bodies does not concern
-    /// them.
+    /// A multiple of an earlier equation, or the sum of two, adds nothing; an equation between other bodies contains no
+    /// sought angle.
     #[test]
     fn an_equation_that_follows_adds_nothing() {
         let mut solved = Solved::default();

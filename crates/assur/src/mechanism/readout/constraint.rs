@@ -166,7 +166,7 @@ impl Layout {
 
 impl Mechanism {
     /// Constraint equations: distances that keep each link rigid, two equations for each slide, and one for each pair
-    /// of wheels. With hinges alone, there are as many equations as coordinates of moving points, less the mobility.
+    /// of wheels. With hinges alone, there are as many equations as coordinates of moving joints, less the mobility.
     pub fn constraints(&self) -> Vec<Constraint> {
         self.layout.constraints()
     }

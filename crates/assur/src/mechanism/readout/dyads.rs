@@ -51,7 +51,7 @@ impl FourBarLoop {
 }
 
 impl Mechanism {
-    /// The RRR dyads, in the order in which they are solved.
+    /// The RRR dyads in the order of solving; those within groups with redundant constraints come last.
     pub fn rrr_dyads(&self) -> Vec<RrrDyad> {
         let arms = self.arms();
         arms.filter_map(|arms| self.dyad_of(arms)).collect()
@@ -96,7 +96,7 @@ impl Mechanism {
         from.zip(to).map_or(0.0, |(from, to)| (to - from).norm())
     }
 
-    /// The four-bars, in the order in which their dyads are solved.
+    /// The four-bars, in the order of their dyads in [`Self::rrr_dyads`].
     pub fn four_bars(&self) -> Vec<FourBarLoop> {
         let arms = self.arms();
         arms.filter_map(|arms| self.four_bar_of(arms)).collect()

@@ -27,7 +27,8 @@ pub struct RrpDyad {
 }
 
 impl Mechanism {
-    /// Transmission and pressure angles of the dyads, in the order of solving.
+    /// Transmission and pressure angles of the dyads in the order of solving; those within groups with redundant
+    /// constraints come last.
     pub fn transmitting(&self) -> Vec<Quantity> {
         let steps = self.steps().enumerate();
         let found = steps.filter_map(|(step, placing)| match placing {

@@ -9,7 +9,7 @@ use crate::tolerance;
 
 impl Motion {
     /// Specification of a driver for a link of [`Mechanism::drivable`]: the driver it already has, a crank, or a slide
-    /// over its present range. None if the link cannot drive or does not move.
+    /// over its present range, at the rate 1. None if the link cannot drive or does not move.
     ///
     /// # Errors
     /// The motion has too many turns to be searched for the range of a slide.
@@ -72,7 +72,8 @@ impl Motion {
         Ok(moves.then_some(range))
     }
 
-    /// Returns the linkage with a new rate of a further driver, given by its index, starting from the pose at an input.
+    /// Returns the linkage with a new rate of a further driver, given by its index, starting from the pose at an input
+    /// or, if there is none, from the drawn pose.
     ///
     /// # Errors
     /// The defects of the linkage at the new rate.

@@ -17,7 +17,7 @@ pub struct Changed {
     pub motion: Motion,
     /// Input of the new pose: the previous input if possible.
     pub input: f64,
-    /// True if the input gave way in a part of the change.
+    /// True if the input gave way in a part of the change, or if a new driver has a dead point at the given input.
     pub gave_way: bool,
 }
 

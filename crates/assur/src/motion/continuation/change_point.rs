@@ -199,8 +199,9 @@ impl Continuation<'_> {
     }
 
     /// Solves the trial pose beyond a change point, with the signs that are valid there. This pose is as far from the
-    /// change point as the current pose, but not beyond the input at which the motion may repeat. Returns the pose at
-    /// the change point and the input of the trial pose; None if the step is not certified.
+    /// change point as the current pose or, if nearer, the input at which the motion may repeat, but at least
+    /// [`PROBE_DISTANCE`] of the span. Returns the pose at the change point and the input of the trial pose; None if
+    /// the step is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

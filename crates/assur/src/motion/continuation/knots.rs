@@ -42,7 +42,7 @@ struct Knot {
     /// First margin of each step; for a group its determinant, scaled by the same power of two in all knots.
     margins: List<StepId, f64>,
     orientations: List<BodyId, Orientation>,
-    /// Unknowns of the groups with their derivatives: x and y of each point in turn.
+    /// Unknowns of the groups with their derivatives: x and y of each unknown in turn.
     natural: Vec<Taylor>,
 }
 
@@ -185,8 +185,9 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // Gain of each angle, rounded to whole turns: near a singular pose the two knots differ in the last digits. An
-        // idle wheel may have gained a fraction of a turn; its angle is computed from the wheel that drives it.
+        // Gain of each angle, rounded to whole turns: near a singular pose the two knots differ in the last digits. A
+        // wheel that moves nothing else may have gained a fraction of a turn; its angle is computed from the wheel that
+        // drives it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
         let gains = pairs.map(|(b, a)| crate::angle::whole_turns(b.angle - a.angle));
         let gains: Vec<f64> = gains.collect();
@@ -299,7 +300,7 @@ impl Knot {
         )
     }
 
-    /// Points of this knot that are unknowns of groups.
+    /// Unknowns of the groups at this knot, without derivatives.
     fn places(&self) -> impl Iterator<Item = Vector> {
         (0..self.natural.len() / 2).map(|k| self.place(k))
     }

@@ -20,7 +20,7 @@ pub(super) fn ordered_roots(
             wrapped
         }
     };
-    // An input at which a deltoid is indeterminate has no sample and divides the motion: rates may jump at this input.
+    // An input at which a kite is indeterminate has no sample and divides the motion: rates may jump at this input.
     let cells = arcs.iter().flat_map(|samples| samples.windows(2));
     let cells = cells.filter_map(|pair| match pair {
         [Some(a), Some(b)] => Some(roots(sample, order, *a, *b)),
@@ -28,8 +28,8 @@ pub(super) fn ordered_roots(
     });
     let mut ordered: Vec<Sample> = cells.flatten().collect();
     sort_by(&mut ordered, |a, b| a.input.total_cmp(&b.input));
-    // Near a root, rounding may give several changes of sign; one is kept. The tolerance vanishes at input 0, but doubles
-    // are densest there.
+    // Near a root, rounding may give several changes of sign; one is kept. The tolerance vanishes at input 0, but
+    // floating-point numbers are densest there.
     ordered
         .dedup_by(|later, one| later.input - one.input <= tolerance::CONVERGED * later.input.abs());
     let [start, end] = cycle.axis();

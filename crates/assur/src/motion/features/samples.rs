@@ -102,7 +102,7 @@ pub(super) fn closed(
     let [start, end] = cycle.axis();
     // The first and the last sample are one cycle apart, so the first is dropped.
     let samples = samples.get(1..).unwrap_or_default();
-    // An input at which a deltoid is indeterminate has no pose; the next sample is then taken.
+    // An input at which a kite is indeterminate has no pose; the next sample is then taken.
     let growth = (samples.iter().flatten())
         .take_while(|sample| sample.input < start)
         .find_map(|sample| Some(at(sample.input + (end - start))?.f[0] - sample.f[0]));

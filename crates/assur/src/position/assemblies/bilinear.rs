@@ -229,7 +229,8 @@ pub(super) struct System {
     pub(super) rates: Vec<Bilinear>,
     /// Index of each equation among the given equations; None if unknowns were eliminated.
     pub(super) sources: Option<Vec<usize>>,
-    /// Unknowns of the group as forms in the unknowns of the system; `kept` lists the latter's indices in the group.
+    /// Unknowns of the group as forms in the unknowns of the system; `kept` lists the indices of the system's unknowns
+    /// in the group.
     own: Vec<Affine>,
     kept: Vec<usize>,
 }

@@ -121,7 +121,8 @@ impl System {
         }
     }
 
-    /// Adds the new solutions near candidates, with their conjugates. Returns the number of distinct solutions nearby.
+    /// Adds the new solutions near candidates, with their conjugates. Returns the number of distinct solutions to which
+    /// the candidates converge.
     pub(super) fn add(&self, candidates: Vec<Vec<C>>, found: &mut Vec<Vec<C>>) -> usize {
         let mut workspace = Workspace::new(self.unknowns);
         let mut is_confirmed = vec![false; found.len()];

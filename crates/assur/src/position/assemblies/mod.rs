@@ -46,12 +46,13 @@ pub(crate) struct GroupAssemblies {
     pub(crate) solved: bool,
     /// Number of all assemblies over the complex numbers, including the real ones.
     pub(crate) complex: usize,
-    /// The assemblies that are not real.
+    /// The assemblies that are not real; empty if no derivatives are wanted.
     pub(crate) complex_pairs: Vec<ComplexPair>,
 }
 
 /// One of a pair of complex conjugate assemblies: its squared distance from the other, with the derivative of the
 /// square with respect to the input. The square falls to zero, nearly linearly, at the input at which both become real.
+/// For a dyad out of reach, the negative of a margin takes its place; for two guides, the squared sine of their angle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComplexPair {
     pub(crate) square: f64,

@@ -2,7 +2,7 @@ use super::bilinear::{Affine, Bilinear, C, System};
 use super::solutions::distance;
 use super::{dixon, homotopy};
 
-/// A linear congruential generator of Knuth's with a fixed seed.
+/// Knuth's linear congruential generator, with a given seed.
 struct Dice(u64);
 
 impl Dice {

@@ -19,8 +19,8 @@ pub(crate) struct Rpp {
 }
 
 impl Solvable for Rpp {
-    /// Both angles follow from the angle of the solved line. The point of j that this line guides is on a parallel to
-    /// it, and on a parallel to the line of the inner slide through B; so it is found as an intersection.
+    /// Both angles follow from the angle of the solved line. The guided point of j is the intersection of two lines at
+    /// constant offsets: a parallel to the solved line, and a parallel to the inner slide, offset from B.
     fn solve<const N: usize>(
         &self,
         state: &mut State<N>,

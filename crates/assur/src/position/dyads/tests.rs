@@ -50,7 +50,7 @@ pub(in crate::position) fn track(body: usize, line: BodyPoint) -> Track {
     }
 }
 
-/// A point of a dyad with its first two derivatives by the crank angle, at a right angle.
+/// A point of a dyad with its first two derivatives with respect to the crank angle, for the crank at 90°.
 pub(in crate::position) fn place(step: &Step, sign: Sign, point: BodyPoint) -> [[f64; 2]; 3] {
     let place = solved(step, sign).unwrap().place(point);
     [0, 1, 2].map(|order| [place.x(), place.y()].map(|jet| jet.derivative(order)))

@@ -66,7 +66,7 @@ pub(crate) enum Equation {
     Real(usize),
     /// The imaginary part of a form is 0.
     Imaginary(usize),
-    /// A point stays on a line: axis × vector = 0.
+    /// A point stays on a line, or a direction parallel to another: axis × vector = 0.
     Line { axis: usize, vector: usize },
     /// A driven slide: axis · vector equals the driven coordinate; the axis has length 1.
     Along {

@@ -180,7 +180,7 @@ impl Group {
         })
     }
 
-    /// Largest closure error in a nearby pose: the largest residual as a length, angles left out.
+    /// Largest closure error in the nearby pose: the largest residual as a length, angles left out.
     fn closure_error<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) -> f64 {
         self.guess(work, near);
         self.evaluate_forms(work);
