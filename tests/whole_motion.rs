@@ -35,6 +35,9 @@ fn numbers(text: &str) -> Vec<f64> {
     parts.filter_map(|part| part.parse().ok()).collect()
 }
 
+/// Units of a plot's curves and dots in a pixel. The dots have a radius of three pixels.
+const UNITS: f64 = 16.0;
+
 /// The chart of a quantity as it is drawn: the points of each curve, and the places of the dots at its extrema.
 fn drawn(motion: &Motion, name: &str) -> (Vec<Vec<[f64; 2]>>, Vec<[f64; 2]>) {
     let figure = Figure::new(motion, &View::default()).unwrap();
@@ -54,17 +57,22 @@ fn drawn(motion: &Motion, name: &str) -> (Vec<Vec<[f64; 2]>>, Vec<[f64; 2]>) {
         let (_, rest) = line.split_once(&format!("{name}=\""))?;
         Some(rest.split_once('"')?.0.to_owned())
     };
-    let paths = text.lines().filter_map(|line| attribute(line, "<path d"));
-    let curves = paths.map(|path| {
-        let places = numbers(&path);
-        places.chunks_exact(2).map(|at| [at[0], at[1]]).collect()
-    });
+    let lines = text.lines().filter(|line| line.starts_with("<polyline"));
+    let curves = lines
+        .filter_map(|line| attribute(line, " points"))
+        .map(|points| {
+            let places = numbers(&points);
+            let pixels = places
+                .chunks_exact(2)
+                .map(|at| [at[0], at[1]].map(|unit| unit / UNITS));
+            pixels.collect()
+        });
     // What has more than a few points is a curve, not a line of the grid.
     let curves = curves.filter(|curve: &Vec<[f64; 2]>| curve.len() > 9);
     let dots = text.lines().filter(|line| line.contains("<circle"));
-    let dots = dots.filter(|line| attribute(line, " r").as_deref() == Some("3"));
+    let dots = dots.filter(|line| attribute(line, " r").as_deref() == Some("48"));
     let dots = dots.map(|line| ["cx", "cy"].map(|name| attribute(line, name).unwrap()));
-    let dots = dots.map(|at| at.map(|x| x.parse().unwrap()));
+    let dots = dots.map(|at| at.map(|x| x.parse::<f64>().unwrap() / UNITS));
     (curves.collect(), dots.collect())
 }
 
