@@ -19,7 +19,7 @@ use crate::simulator::{bad, one};
 pub(crate) struct AssembliesHere {
     /// Assemblies in ascending order of `angle`.
     pub(crate) all: Vec<AssemblyHere>,
-    /// Index of the assembly in which the document moves; none if that assembly has no pose at this input.
+    /// Index of the assembly in which the document moves; none if it has no pose at this input or was not found.
     pub(crate) shown: Option<usize>,
     /// Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
     complex: Option<usize>,
@@ -142,7 +142,7 @@ impl AllMotions {
     /// Finds all motions of the document in a state.
     ///
     /// # Errors
-    /// Every problem of the state; a document that is not a moving linkage.
+    /// Every problem of the state; a document that is not a moving linkage, or whose assemblies no link numbers.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,

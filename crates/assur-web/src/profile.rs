@@ -1,4 +1,4 @@
-//! The output of a linkage over a turn: stroke, dwell, phases.
+//! The output of a linkage over its motion: stroke, dwell, phases.
 
 use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{OutputProfile, PhaseKind};

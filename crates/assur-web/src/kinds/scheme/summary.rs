@@ -302,7 +302,7 @@ impl<'a> JudgedSummary<'a> {
             redundancies,
             idle,
         } = scheme.rank_report(space)?;
-        // With more pairs than this, the search for a nearby pose may take longer than a drag allows.
+        // For a scheme with more pairs, the search for a nearby pose may take longer than a drag allows.
         let near = (scheme.pairs().len() <= FOLLOWED).then(|| scheme.generic(space));
         let generic = near.transpose()?;
         let links = |links: &Vec<usize>| {

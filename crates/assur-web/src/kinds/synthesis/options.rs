@@ -49,7 +49,7 @@ pub(crate) struct FoundSummary {
     best: usize,
     /// l₂ and l₃ along the path from each start.
     paths: Vec<Vec<[f64; 2]>>,
-    /// Decimal logarithm of ΣJ over l₂ and l₃.
+    /// Decimal logarithm of ΣJ as a function of l₂ and l₃.
     sum: PlaneSummary,
 }
 

@@ -216,7 +216,8 @@ impl PrintedSummary {
 }
 
 impl WeightedSummary {
-    /// Makes the summary for three or more positions without free starting angles; none if the fit finds no lengths.
+    /// Makes the summary; none if there are fewer than three positions or free starting angles, or if no lengths are
+    /// found.
     pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let enough = task.positions().len() >= 3 && !document.free;
         let found = enough.then(|| weighted_difference(task)).flatten()?;
