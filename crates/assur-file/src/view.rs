@@ -40,7 +40,7 @@ pub struct View {
     pub direction: f64,
     /// Playback speed, as a multiple of one turn in six seconds.
     pub speed: f64,
-    /// Whether the paths of the joints are shown.
+    /// Whether the paths of the points in the list `traces` of a linkage are shown.
     pub traces: bool,
     /// Whether centres of mass are shown.
     #[serde(default)]
@@ -79,7 +79,8 @@ pub struct View {
     /// Whether the inflection circle of `about` is shown, and the circles of curvature and evolutes of traced paths.
     #[serde(default)]
     pub curvature: bool,
-    /// The link whose instant centre, centrodes and inflection circle are shown; if empty, the first coupler.
+    /// The link whose instant centre, centrodes and inflection circle are shown; if empty, the first link not joined to
+    /// the frame.
     #[serde(default)]
     pub about: String,
     /// The reference link of the instant centre of `about`; if empty, the frame.
@@ -89,7 +90,7 @@ pub struct View {
     /// `crank-rocker.between`.
     #[serde(default)]
     pub measures: Vec<String>,
-    /// Plotted quantities: `angles`, or the name of a point, such as `C2`.
+    /// Plotted quantities: `angles`, or the name of a quantity or a point, such as `C2`.
     #[serde(default = "angles")]
     pub plot: String,
     /// Two quantities plotted against each other instead of against the input, if any.
@@ -265,7 +266,7 @@ impl View {
         }
     }
 
-    /// Checks all numbers and choices.
+    /// Checks all numbers, the sense of rotation and the open lesson. Names are checked when the mechanism is drawn.
     ///
     /// # Errors
     /// All problems, each naming its field.

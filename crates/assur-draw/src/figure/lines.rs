@@ -270,7 +270,7 @@ impl Drawn {
                 list.polyline(Role::Accent1, Look::Thin, &[centre, bend.at]);
                 self.mark(list, centre, centre_name, unit);
             } else {
-                // An arc too flat to differ from a straight line is drawn as its tangent.
+                // A circle whose centre is far from the drawing or at infinity is drawn as its tangent.
                 let along: Vector = bend.tangent * (MAX_DISTANCE * self.size);
                 list.polyline(
                     Role::Accent1,
