@@ -270,7 +270,11 @@ export type View = {
 /** Playback speed, as a multiple of one turn in six seconds. */ speed: number, 
 /** Whether the paths of the points in the list `traces` of a linkage are shown. */ traces: boolean, 
 /** Whether centres of mass are shown. */ centres: boolean, 
-/** Whether velocity and acceleration analogues of the joints are shown. */ vectors: boolean, 
+/**
+ * Whether velocity and acceleration analogues of moving points are shown; for a differential, velocities of a
+ * satellite.
+ */
+vectors: boolean, 
 /** Whether the vectors of the loop are shown. */ loop_vectors: boolean, 
 /** Whether the arc of the transmission angle is shown. */ transmission: boolean, 
 /** Whether links have the colours of their Assur groups. */ groups: boolean, 

@@ -139,8 +139,8 @@ plotted: Float64Array, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
 export type InflectionHere = { link: string, diameter: number | null, reason: Problem | null, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
-/** W in a nearby pose, if one was found. */ generic: number | null, 
-/** Whether the scheme moves only for an instant: by rank W is not 0, but there is no nearby pose. */ instantaneous: boolean, };
+/** W in a nearby pose, if one was found; also 0 if W is 0 in the drawn pose. */ generic: number | null, 
+/** Whether the scheme moves only for an instant: by rank W is not 0, but no nearby pose was reached. */ instantaneous: boolean, };
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
 /** Whether the length of the vector is known before the point is found. */ known: boolean, };
@@ -258,7 +258,7 @@ export type SolutionSummary = {
 /** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
 /** Starting angles φ₂₀ of the output and φ₃₀ of the input, radians. */ starts: [number, number], 
 /** The greatest gap at the coupler over all positions, in the unit of lengths. */ gap: number, 
-/** Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths. */ sum: number, 
+/** Weighted sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths. */ sum: number, 
 /** Maximum error of the output angle, radians; none if a position is not reached. */ output_error: number | null, 
 /** Whether a length is at a bound of the search. */ at_bound: boolean, verdict: VerdictSummary | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };

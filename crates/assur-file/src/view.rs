@@ -45,7 +45,8 @@ pub struct View {
     /// Whether centres of mass are shown.
     #[serde(default)]
     pub centres: bool,
-    /// Whether velocity and acceleration analogues of the joints are shown.
+    /// Whether velocity and acceleration analogues of moving points are shown; for a differential, velocities of a
+    /// satellite.
     #[serde(default)]
     pub vectors: bool,
     /// Whether the vectors of the loop are shown.
@@ -184,7 +185,7 @@ impl Only {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Axes {
-    /// The crank angle.
+    /// The input, such as the crank angle.
     #[default]
     Analogues,
     /// Time, with ω₁ and ε₁ of the crank.

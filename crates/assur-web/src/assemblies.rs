@@ -181,7 +181,7 @@ impl AllMotions {
     }
 
     /// Returns the branches of the assemblies at an input, and the way to each assembly from the one with index
-    /// `number`: `{branches, reached}`. Both lists are empty if an assembly is on no known branch.
+    /// `number`: `{branches, reached}`. Both lists are empty if any assembly is on no known branch.
     #[wasm_bindgen(unchecked_return_type = "Belonging")]
     pub fn belonging(&self, input: f64, number: usize) -> JsValue {
         let branches = self.branches_at(input).unwrap_or_default();

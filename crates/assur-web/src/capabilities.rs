@@ -139,7 +139,7 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step `by`; then −1 if the input turned back at the end of its range, otherwise 1.
+    /// The input after a step `by`; then −1 after an odd number of reversals at the ends of its range, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
     /// The plots against the input. For a gear train without load, they cover the span of time that contains `around`.

@@ -257,7 +257,8 @@ impl Simulator {
         Ok(self.after(change.map_err(thrown)?))
     }
 
-    /// The input after a step `delta`, and a factor: −1 if the input turned back at the end of its range, otherwise 1.
+    /// The input after a step `delta`, and a factor: −1 after an odd number of reversals at the ends of its range,
+    /// otherwise 1.
     ///
     /// # Errors
     /// A call before the first `set`; a document that does not move.
@@ -266,8 +267,8 @@ impl Simulator {
         Ok(vec![input, sense])
     }
 
-    /// Draws the plots on a canvas whose transform maps CSS pixels to its backing store; `request`
-    /// is `{width, height, palette, around}`. Returns the layout of the plots' text.
+    /// Draws the plots on a canvas whose transform maps CSS pixels to its backing store; of `request`, only `{width,
+    /// height, palette}` are required. Returns the layout of the plots' text.
     ///
     /// # Errors
     /// A malformed request; a call before the first `set`; a document that does not move.

@@ -44,7 +44,7 @@ pub(super) struct Bevel {
     layout: Layout,
     view: TrainView,
     projection: Projection,
-    /// Wide ends of sun and ring: distance from the apex along the wheel's axis, and radius.
+    /// Wide ends of sun and ring: position along the main axis, and radius.
     central: [[f64; 2]; 2],
     /// Wide end of a satellite: distance from the apex along the satellite's axis, and radius.
     satellite: [f64; 2],

@@ -118,9 +118,9 @@ pub(crate) struct JudgedSummary<'a> {
     redundant: usize,
     redundancies: Vec<RedundancySummary<'a>>,
     idle: Vec<Vec<&'a str>>,
-    /// W in a nearby pose, if one was found.
+    /// W in a nearby pose, if one was found; also 0 if W is 0 in the drawn pose.
     generic: Option<usize>,
-    /// Whether the scheme moves only for an instant: by rank W is not 0, but there is no nearby pose.
+    /// Whether the scheme moves only for an instant: by rank W is not 0, but no nearby pose was reached.
     instantaneous: bool,
 }
 

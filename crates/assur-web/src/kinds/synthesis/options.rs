@@ -39,7 +39,7 @@ pub(crate) struct FamilyCurve {
     verdicts: Vec<&'static str>,
 }
 
-/// A search for the least ΣJ, the sum of the squared gaps over all positions.
+/// A search for the least ΣJ, the weighted sum of the squared gaps over all positions.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FoundSummary {

@@ -67,7 +67,7 @@ pub(crate) struct SolutionSummary {
     starts: [f64; 2],
     /// The greatest gap at the coupler over all positions, in the unit of lengths.
     gap: f64,
-    /// Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
+    /// Weighted sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
     sum: f64,
     /// Maximum error of the output angle, radians; none if a position is not reached.
     output_error: Option<f64>,

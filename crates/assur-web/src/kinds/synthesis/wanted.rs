@@ -43,7 +43,7 @@ pub(crate) struct WantedSummary {
     interval: Option<Range>,
 }
 
-/// The least ΣJ over positive lengths, with the coupler angles given.
+/// The least ΣJ over lengths that are not negative, with the coupler angles given.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PrintedSummary {
