@@ -37,7 +37,7 @@ export type FunctionDocument = {
 /** The function f. */ of: FormulaDocument, 
 /** Interval of x. */ x: [number, number], 
 /** φ₃ at the two ends of the interval of x, degrees. */ input_deg: [number, number], 
-/** φ₂ for the values of y at these two ends, degrees. */ output_deg: [number, number], };
+/** φ₂ for the values of y at the two ends of the interval of x, degrees. */ output_deg: [number, number], };
 export type GearDocument = { 
 /** The two wheels. */ links: [string, string], 
 /** The link to which both wheels are hinged, or `frame`. */ carrier: string, 
@@ -144,8 +144,8 @@ export type MixerTracerDocument = {
 export type NumberDocument = { 
 /** Name of the quantity, such as `rocker.angle` or `C.x′`. */ quantity?: string | null, 
 /**
- * The input at which the quantity is evaluated: degrees, the unit of lengths or seconds; if absent, the input of
- * the step.
+ * The input at which the quantity is evaluated, in degrees, the unit of lengths or seconds; if absent, that of the
+ * step.
  */
 at?: number | null, 
 /** The answer itself, if it is not a quantity. */ value?: number | null, 

@@ -34,7 +34,11 @@ export type Between = { min: number, max: number, stroke: number, };
 export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
 export type BranchLine = { 
 /** Index of the branch's circuit. */ circuit: number, 
-/** Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement. */ pieces: Array<Array<number>>, };
+/**
+ * Curve, split where the input or the output wraps. Inputs and outputs alternate. Angles are in [0, 2π); the input
+ * of a slide is a displacement.
+ */
+pieces: Array<Array<number>>, };
 export type ChangedPair = { pair: string, kind: KindDocument, };
 export type ChartLayout = { panels: Array<PanelLayout>, 
 /** The plot of one quantity against another that replaces the panels, if it is wanted and has enough room. */ against: AgainstLayout | null, };

@@ -107,7 +107,8 @@ pub(crate) struct MotionsMap {
 pub(crate) struct BranchLine {
     /// Index of the branch's circuit.
     circuit: usize,
-    /// Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement.
+    /// Curve, split where the input or the output wraps. Inputs and outputs alternate. Angles are in [0, 2π); the input
+    /// of a slide is a displacement.
     pieces: Vec<Vec<f64>>,
 }
 
@@ -142,7 +143,7 @@ impl AllMotions {
     /// Finds all motions of the document in a state.
     ///
     /// # Errors
-    /// Every problem of the state; a document that is not a moving linkage, or whose assemblies no link numbers.
+    /// Every problem of the state; a document without a moving linkage, or without a link to number its assemblies.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,

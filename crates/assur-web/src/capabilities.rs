@@ -38,7 +38,7 @@ pub(crate) trait Capabilities {
         self.linkage().map(|moving| moving as &dyn Moves)
     }
 
-    /// The moving linkage, if the document is a moving linkage.
+    /// The moving linkage that the document describes, if any.
     fn linkage(&self) -> Option<&Moving> {
         None
     }

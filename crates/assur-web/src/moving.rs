@@ -220,7 +220,8 @@ impl Moving {
         &self.measures
     }
 
-    /// The first plotted quantity, if it is an output; angles of transmission, pressure and corners are not outputs.
+    /// The first plotted quantity, if it is an output; transmission angles, pressure angles and corners are not
+    /// outputs.
     pub(crate) fn plotted_output(&self) -> Option<Quantity> {
         self.plotted.first().copied().filter(|one| !one.is_folded())
     }

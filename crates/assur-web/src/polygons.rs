@@ -147,7 +147,8 @@ impl Moving {
         found.collect()
     }
 
-    /// Name of a point; if the node is the coincident point of a link, with the number of the link: `B3`.
+    /// Name of a node: that of its point and, if the node is the coincident point of a link, the link's number, as in
+    /// `B3`.
     fn node_name(&self, node: Node) -> String {
         let point = self.mechanism().point_name(node.point);
         let number = node.on.map(|body| self.body_number(body));

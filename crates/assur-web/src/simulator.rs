@@ -267,8 +267,8 @@ impl Simulator {
         Ok(vec![input, sense])
     }
 
-    /// Draws the plots on a canvas whose transform maps CSS pixels to its backing store; of `request`, only `{width,
-    /// height, palette}` are required. Returns the layout of the plots' text.
+    /// Draws the plots on a canvas whose transform maps CSS pixels to its backing store. `request` is a `ChartRequest`
+    /// with at least `{width, height, palette}`. Returns the layout of the plots' text.
     ///
     /// # Errors
     /// A malformed request; a call before the first `set`; a document that does not move.
@@ -295,9 +295,9 @@ impl Simulator {
         chart::draw(self.moves()?, Some(with.moves()?), context, &request).map_err(one)
     }
 
-    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`. Its rows are `steps`
-    /// steps to a turn of a crank, or to the range of any other input, with further rows where the motion turns back. A
-    /// missing value is `null`; the row then has the reason.
+    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`. There are `steps` rows
+    /// per turn of a crank, or `steps` steps over the range of any other input, and further rows where the motion turns
+    /// back. A missing value is `null`; the row then has the reason.
     ///
     /// # Errors
     /// A call before the first `set`; a document that does not move.

@@ -20,7 +20,7 @@ pub struct FunctionDocument {
     pub x: [f64; 2],
     /// φ₃ at the two ends of the interval of x, degrees.
     pub input_deg: [f64; 2],
-    /// φ₂ for the values of y at these two ends, degrees.
+    /// φ₂ for the values of y at the two ends of the interval of x, degrees.
     pub output_deg: [f64; 2],
 }
 

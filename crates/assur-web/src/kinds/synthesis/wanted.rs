@@ -216,8 +216,7 @@ impl PrintedSummary {
 }
 
 impl WeightedSummary {
-    /// Makes the summary; none if there are fewer than three positions or free starting angles, or if no lengths are
-    /// found.
+    /// Makes the summary; none with free starting angles, for fewer than three positions, or if no lengths are found.
     pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let enough = task.positions().len() >= 3 && !document.free;
         let found = enough.then(|| weighted_difference(task)).flatten()?;
