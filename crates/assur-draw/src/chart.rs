@@ -35,9 +35,9 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
-/// Length of a shortened axis, as a share of the full axis, from which the full axis is shown instead.
+/// Share of the full axis below which a shortened axis is used.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Least length of a shortened axis, as a share of the full axis. The range of a motion can be almost zero.
+/// Least share of the full axis for which a shortened axis is used, since the range of a motion can be almost zero.
 const LEAST_OF_A_TURN: f64 = 0.001;
 /// Margin at both ends of a shortened axis, as a share of the motion's span.
 const BESIDE: f64 = 0.04;

@@ -51,7 +51,7 @@ impl PolygonSheet {
         Self::of(found, if dead { MOST_OF_DEAD } else { MAX_SIZE })
     }
 
-    /// Makes the sheet from the rectangles around polygons, without those over `most` times as large as the median.
+    /// Makes the sheet from the rectangles around polygons; those larger than `most` times the median are left out.
     fn of(mut found: Vec<Rectangle>, most: f64) -> Self {
         sort_by(&mut found, |a, b| reach(*a).total_cmp(&reach(*b)));
         let median = found.get(found.len() / 2).map_or(0.0, |a| reach(*a));
