@@ -37,7 +37,7 @@ export type FunctionDocument = {
 /** The function f. */ of: FormulaDocument, 
 /** Interval of x. */ x: [number, number], 
 /** φ₃ at the two ends of the interval of x, degrees. */ input_deg: [number, number], 
-/** φ₂ for the values of y at these two ends, degrees. */ output_deg: [number, number], };
+/** φ₂ for the values of y at the two ends of the interval of x, degrees. */ output_deg: [number, number], };
 export type GearDocument = { 
 /** The two wheels. */ links: [string, string], 
 /** The link to which both wheels are hinged, or `frame`. */ carrier: string, 
@@ -143,7 +143,11 @@ export type MixerTracerDocument = {
 /** Coordinate perpendicular to the link, to the left. */ y: number, };
 export type NumberDocument = { 
 /** Name of the quantity, such as `rocker.angle` or `C.x′`. */ quantity?: string | null, 
-/** The input at which the quantity is evaluated, in the reader's unit; if absent, the input of the step. */ at?: number | null, 
+/**
+ * The input at which the quantity is evaluated, in degrees, the unit of lengths or seconds; if absent, that of the
+ * step.
+ */
+at?: number | null, 
 /** The answer itself, if it is not a quantity. */ value?: number | null, 
 /** Unit written beside `value`. */ unit?: string, 
 /** Tolerance of the answer. */ within: number, 
@@ -264,9 +268,13 @@ export type View = {
 /** Whether the mechanism is moving. */ playing: boolean, 
 /** Sense of rotation of the crank, 1 or −1. */ direction: 1 | -1, 
 /** Playback speed, as a multiple of one turn in six seconds. */ speed: number, 
-/** Whether the paths of the joints are shown. */ traces: boolean, 
+/** Whether the paths of the points in the list `traces` of a linkage are shown. */ traces: boolean, 
 /** Whether centres of mass are shown. */ centres: boolean, 
-/** Whether velocity and acceleration analogues of the joints are shown. */ vectors: boolean, 
+/**
+ * Whether velocity and acceleration analogues of moving points are shown; for a differential, velocities of a
+ * satellite.
+ */
+vectors: boolean, 
 /** Whether the vectors of the loop are shown. */ loop_vectors: boolean, 
 /** Whether the arc of the transmission angle is shown. */ transmission: boolean, 
 /** Whether links have the colours of their Assur groups. */ groups: boolean, 
@@ -281,14 +289,18 @@ export type View = {
 instant_centres: boolean, 
 /** Whether the centrodes of `about` are shown. */ centrodes: boolean, 
 /** Whether the inflection circle of `about` is shown, and the circles of curvature and evolutes of traced paths. */ curvature: boolean, 
-/** The link whose instant centre, centrodes and inflection circle are shown; if empty, the first coupler. */ about: string, 
+/**
+ * The link whose instant centre, centrodes and inflection circle are shown; if empty, the first link not joined to
+ * the frame.
+ */
+about: string, 
 /** The reference link of the instant centre of `about`; if empty, the frame. */ relative_to: string, 
 /**
  * Drawn and listed measures between points or links, by name: `A-C.distance`, `A-B-C.corner`,
  * `crank-rocker.between`.
  */
 measures: Array<string>, 
-/** Plotted quantities: `angles`, or the name of a point, such as `C2`. */ plot: string, 
+/** Plotted quantities: `angles`, or the name of a quantity or a point, such as `C2`. */ plot: string, 
 /** Two quantities plotted against each other instead of against the input, if any. */ against?: Against | null, 
 /** The plot that is shown alone, if any. */ only: Only, 
 /** Variable with respect to which derivatives are taken. */ axes: Axes, 

@@ -13,7 +13,7 @@ export type AgainstLayout = { left: number, top: number, width: number, height: 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
 export type AssembliesHere = { 
 /** Assemblies in ascending order of `angle`. */ all: Array<AssemblyHere>, 
-/** Index of the assembly in which the document moves; none if that assembly has no pose at this input. */ shown: number | null, 
+/** Index of the assembly in which the document moves; none if it has no pose at this input or was not found. */ shown: number | null, 
 /** Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers. */ complex: number | null, 
 /** Whether all assemblies were found. */ whole: boolean, };
 export type AssemblyHere = { 
@@ -34,7 +34,11 @@ export type Between = { min: number, max: number, stroke: number, };
 export type BodyNumbers = { sun: number, satellite: number, carrier: number, ring: number, };
 export type BranchLine = { 
 /** Index of the branch's circuit. */ circuit: number, 
-/** Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement. */ pieces: Array<Array<number>>, };
+/**
+ * Curve, split where the input or the output wraps. Inputs and outputs alternate. Angles are in [0, 2π); the input
+ * of a slide is a displacement.
+ */
+pieces: Array<Array<number>>, };
 export type ChangedPair = { pair: string, kind: KindDocument, };
 export type ChartLayout = { panels: Array<PanelLayout>, 
 /** The plot of one quantity against another that replaces the panels, if it is wanted and has enough room. */ against: AgainstLayout | null, };
@@ -43,7 +47,7 @@ export type ChartRequest = { width: number, height: number, palette: Array<[numb
 /** Screen pixels per CSS pixel. */ ratio: number, 
 /** Whether curves pass through all their points, for a picture that may be enlarged. */ whole: boolean, 
 /** The plot that takes all the room, if any. */ only: Only, 
-/** The input around which an endless motion is plotted. */ around: number, };
+/** The time around which the endless motion of a gear train without load is plotted. */ around: number, };
 export type CircleHere = { point: string, 
 /** Radius with its first two derivatives, with respect to the variable chosen for the axes: input or time. */ radius: [number, number, number] | null, centre: [number, number] | null, reason: Problem | null, };
 export type ClassSummary = { freedoms: number, count: number, };
@@ -73,7 +77,7 @@ export type DeadPointSummary = { input: number, kind: string, links: Array<strin
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
 /** Always null: a drawing has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
-/** Mobility W by count; none if the drawing refers to a part that does not exist. */ mobility: number | null, drivers: number, 
+/** Mobility W by count; none if the drawing could move, or refers to a part that does not exist. */ mobility: number | null, drivers: number, 
 /** Every reason why the drawing does not move. */ reasons: readonly Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
 export type Drawn = { 
 /** The point that was added last. */ point: string | null, 
@@ -91,7 +95,7 @@ export type FoundSummary = {
 /** Number of starting points. */ starts: number, 
 /** Number of starts that ended in the solution shown first. */ best: number, 
 /** l₂ and l₃ along the path from each start. */ paths: Array<Array<[number, number]>>, 
-/** Decimal logarithm of ΣJ over l₂ and l₃. */ sum: PlaneSummary, };
+/** Decimal logarithm of ΣJ as a function of l₂ and l₃. */ sum: PlaneSummary, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
 export type FunctionSummary = { 
 /** Values of x at equal steps, each with the error of y; null if the linkage does not reach x. */ curve: Array<[number, number | null]>, 
@@ -102,7 +106,11 @@ export type GearTrainSummary = { bounds: [number, number, number, number], roles
 /** Weights a and b in Willis's equation, a ω₁ + b ω₄ = (a + b) ω₃. */ weights: [number, number], ratios: Array<RatioSummary>, identities: Array<IdentitySummary>, conditions: Array<TrainConditionSummary>, 
 /** Whether all conditions are met. */ builds: boolean, 
 /** Similar trains that can be built; empty if this train can be built. */ suggestions: Array<SuggestionSummary>, 
-/** Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number. */ in_contact: number | null, mobility: MobilitySummary, 
+/**
+ * Number of teeth z₂ of a planar train's satellite with which gears with these z₁ (sun) and z₄ (ring) mesh, if
+ * any.
+ */
+in_contact: number | null, mobility: MobilitySummary, 
 /** Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels. */ gaps: [number, number] | null, axis_distance: number, 
 /** Distances (mm) and velocities (mm/s) of points at the final speeds of the shafts; null for bevel wheels. */ velocities: VelocitySummary | null, 
 /** External torques on the shafts, neglecting losses, as multiples of the torque on the sun. */ torques: ShaftNumbers, 
@@ -135,8 +143,8 @@ plotted: Float64Array, };
 export type IdentitySummary = { terms: [string, string], sum: number, };
 export type InflectionHere = { link: string, diameter: number | null, reason: Problem | null, };
 export type JudgedSummary = { mobility: number, rank: number, redundant: number, redundancies: Array<RedundancySummary>, idle: Array<Array<string>>, 
-/** W in a nearby pose, if one was found. */ generic: number | null, 
-/** Whether the scheme moves only for an instant: by rank W is not 0, but there is no nearby pose. */ instantaneous: boolean, };
+/** W in a nearby pose, if one was found; also 0 if W is 0 in the drawn pose. */ generic: number | null, 
+/** Whether the scheme moves only for an instant: by rank W is not 0, but no nearby pose was reached. */ instantaneous: boolean, };
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
 /** Whether the length of the vector is known before the point is found. */ known: boolean, };
@@ -254,7 +262,7 @@ export type SolutionSummary = {
 /** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
 /** Starting angles φ₂₀ of the output and φ₃₀ of the input, radians. */ starts: [number, number], 
 /** The greatest gap at the coupler over all positions, in the unit of lengths. */ gap: number, 
-/** Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths. */ sum: number, 
+/** Weighted sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths. */ sum: number, 
 /** Maximum error of the output angle, radians; none if a position is not reached. */ output_error: number | null, 
 /** Whether a length is at a bound of the search. */ at_bound: boolean, verdict: VerdictSummary | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
@@ -273,13 +281,13 @@ export type SweepRow = {
 export type SweepTable = { dimensions: Array<SweepDimension>, columns: Array<SweepColumn>, rows: Array<SweepRow>, 
 /** Table of the compared mechanism at the same inputs. */ compared: SweepTable | null, };
 export type SynthesisSummary = { 
-/** Source of the solutions. */ from: "family" | "exact" | "found" | "trial", 
+/** Source of the drawn solution. */ from: "family" | "exact" | "found" | "trial", 
 /** The numbered solutions, in numerical order; empty for a family. */ solutions: Array<SolutionSummary>, 
 /** Numbers of the solutions, from 1, in the order in which they are shown. */ shown: Array<number>, 
 /** Whether the output's angles were probably given in the direction from D to C, and so are off by 180°. */ turned: boolean, 
 /** Number of the drawn solution, from 1; null if it belongs to a family or has trial lengths. */ number: number | null, drawn: SolutionSummary, 
 /** Length of the frame, l₀. */ frame: number, family: FamilySummary | null, found: FoundSummary | null, wanted: Array<WantedSummary>, 
-/** Number of positions that can be closed, over l₁ (coupler) and l₂ (output). */ closed: PlaneSummary, 
+/** Number of positions that can be closed, as a function of l₁ (coupler) and l₂ (output). */ closed: PlaneSummary, 
 /** Result of the paper's method, if the document gives every coupler angle. */ printed: PrintedSummary | null, 
 /** Result of Levitsky's quadratic approximation. */ weighted: WeightedSummary | null, 
 /** Error of the drawn linkage against the wanted function, if the document has one. */ function: FunctionSummary | null, 

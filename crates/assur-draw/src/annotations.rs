@@ -9,7 +9,7 @@ use crate::list::Role;
 /// Annotations of a drawing. Links and points are identified by name; annotations with unknown names are ignored.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Annotations {
-    /// Colours of links; colours of the other links are assigned in turn.
+    /// Colours of links; the other links have default colours.
     pub roles: Vec<(String, Role)>,
     /// Numbers of links, also used as subscripts of their angles, as in φ₃. The angle of a link without a
     /// number is named after the link.

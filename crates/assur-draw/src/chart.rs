@@ -35,9 +35,9 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
-/// Greatest range of a motion, as a share of the full axis, for which the axis is shortened to the range.
+/// Share of the full axis below which a shortened axis is used.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Least range of a motion, as a share of the full axis, for which the axis is shortened. A range can be almost zero.
+/// Least share of the full axis for which a shortened axis is used, since the range of a motion can be almost zero.
 const LEAST_OF_A_TURN: f64 = 0.001;
 /// Margin at both ends of a shortened axis, as a share of the motion's span.
 const BESIDE: f64 = 0.04;
@@ -90,7 +90,7 @@ pub struct Series {
 pub struct Settings {
     /// Speed and acceleration of the input, which turn analogues into derivatives with respect to time.
     pub input: InputRate,
-    /// Whether derivatives are with respect to time, at the input rate of a machine, instead of to the input.
+    /// Whether derivatives are with respect to time, at the rate `input`; otherwise they are with respect to the input.
     pub physical: bool,
     /// Whether difference quotients of the first derivative are plotted on top of the second derivative.
     pub differenced: bool,
@@ -134,11 +134,11 @@ pub struct Panel {
     pub points: Vec<f64>,
 }
 
-/// A chart ready to be drawn. Its curves are sampled only when the chart is made.
+/// A chart ready to be drawn. Its curves are sampled once, when the chart is made.
 #[derive(Clone, Debug)]
 pub struct Chart {
     axis: [f64; 2],
-    /// Whether the input is an angle; otherwise it is a length.
+    /// Whether the input is an angle; otherwise it is a length or a time.
     turns: bool,
     kind: Kind,
     settings: Settings,
@@ -180,7 +180,7 @@ impl Chart {
         }
     }
 
-    /// Whether the input is an angle, labelled in degrees; otherwise it is a length.
+    /// Whether the input is an angle, labelled in degrees; otherwise it is a length or a time.
     pub fn turns(&self) -> bool {
         self.turns
     }

@@ -66,7 +66,7 @@ impl View {
     }
 }
 
-/// Turns a direction until it is at least [`MIN_ANGLE`] away from all others.
+/// Turns a direction away from the nearest of other directions until it is at least [`MIN_ANGLE`] from it.
 fn clear_of(others: impl Iterator<Item = Vector>, direction: Vector) -> Vector {
     let angle = |other: Vector| other.perp(&direction).atan2(other.dot(&direction));
     let nearest = others

@@ -10,11 +10,11 @@ use crate::list::{List, Look, Role};
 use crate::parts;
 pub use sheet::PolygonSheet;
 
-/// Length below which vectors are drawn as points, in symbol units.
+/// Length up to which vectors are not drawn, in symbol units.
 const MIN_LENGTH: f64 = 0.3;
 /// Half the length of the line that shows the direction of a vector of still unknown length, in symbol units.
 const DIRECTION: f64 = 120.0;
-/// Distance of the scale bar below the polygon, in symbol units.
+/// Distance of the scale bar below the sheet, in symbol units.
 const BELOW: f64 = 9.0;
 /// Greatest length of the scale bar, as a share of the drawing's width.
 const BAR: f64 = 0.4;
@@ -129,7 +129,7 @@ struct Drawing {
 }
 
 impl Drawing {
-    /// Returns the colour of absolute velocities or accelerations; relative vectors are black.
+    /// Returns the colour of absolute velocities or accelerations; relative vectors are black or grey.
     fn role(&self) -> Role {
         match self.order {
             Order::Velocity => Role::Velocity,
@@ -169,7 +169,7 @@ impl Drawing {
         }
     }
 
-    /// Draws thin lines between the images of the points of one link, which form the image of the link.
+    /// Draws the image of each moving link with three points or more: thin lines between the images of its points.
     fn images(&mut self, mechanism: &Mechanism, steps: &[PolygonStep<'_>]) {
         let found = steps.iter().filter(|step| step.finds());
         let nodes: Vec<(Node, Vector)> = found.flat_map(|step| step.stage.nodes.clone()).collect();

@@ -50,7 +50,7 @@ pub struct Drawing<'a> {
     pub frame: &'a [f32],
     /// Names, to which labels refer by index.
     pub names: &'a [String],
-    /// Returns the value of a read-out by its name, radians, for labels to show; None if there is no value.
+    /// Returns the value of a read-out by its name, in radians, for the labels; None if there is no value.
     pub values: &'a dyn Fn(&str) -> Option<f64>,
 }
 

@@ -71,7 +71,8 @@ impl TrainView {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainPose {
     /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is loaded and the first
-    /// satellite is on the right, or on top if bevel. A bevel satellite's angle is not used: it follows from the sun's.
+    /// satellite is on the right, or on top if bevel. A bevel satellite's angle is not used: it follows from the angles
+    /// of sun and carrier.
     pub angles: [f64; 4],
     /// Speeds of the bodies in the order of [`Body::ALL`], rad/s.
     pub speeds: [f64; 4],

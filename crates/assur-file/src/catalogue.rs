@@ -235,7 +235,7 @@ pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>
     Some(document(name)?.and_then(|document| document.linkage()))
 }
 
-/// The document with this name in the catalogue.
+/// The document with this name in the catalogue; none if there is no such name.
 ///
 /// # Errors
 /// The problems of the document; a test ensures that there are none.

@@ -116,7 +116,8 @@ pub struct NumberDocument {
     /// Name of the quantity, such as `rocker.angle` or `C.x′`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantity: Option<String>,
-    /// The input at which the quantity is evaluated, in the reader's unit; if absent, the input of the step.
+    /// The input at which the quantity is evaluated, in degrees, the unit of lengths or seconds; if absent, that of the
+    /// step.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<f64>,
     /// The answer itself, if it is not a quantity.
@@ -164,7 +165,7 @@ pub struct ReachDocument {
 }
 
 impl LessonDocument {
-    /// Checks all texts and numbers, and that every question can be answered.
+    /// Checks all texts and numbers, and that every question has exactly one answer.
     ///
     /// # Errors
     /// The problems of the lesson itself or, if there are none, the number and the problems of its first faulty step.

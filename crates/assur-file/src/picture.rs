@@ -63,7 +63,7 @@ pub enum PictureProblem {
 }
 
 impl PictureDocument {
-    /// Checks the image and its position.
+    /// Checks the image, its position, size and opacity.
     ///
     /// # Errors
     /// Every problem at once, each naming its field.

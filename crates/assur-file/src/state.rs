@@ -127,7 +127,7 @@ impl State {
         }
     }
 
-    /// Like [`Self::moved`], but takes a motion over if it is that of the document.
+    /// Like [`Self::moved`], but uses the given motion if it is that of the document.
     ///
     /// # Errors
     /// Those of [`Self::moved`].

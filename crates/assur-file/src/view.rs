@@ -40,12 +40,13 @@ pub struct View {
     pub direction: f64,
     /// Playback speed, as a multiple of one turn in six seconds.
     pub speed: f64,
-    /// Whether the paths of the joints are shown.
+    /// Whether the paths of the points in the list `traces` of a linkage are shown.
     pub traces: bool,
     /// Whether centres of mass are shown.
     #[serde(default)]
     pub centres: bool,
-    /// Whether velocity and acceleration analogues of the joints are shown.
+    /// Whether velocity and acceleration analogues of moving points are shown; for a differential, velocities of a
+    /// satellite.
     #[serde(default)]
     pub vectors: bool,
     /// Whether the vectors of the loop are shown.
@@ -79,7 +80,8 @@ pub struct View {
     /// Whether the inflection circle of `about` is shown, and the circles of curvature and evolutes of traced paths.
     #[serde(default)]
     pub curvature: bool,
-    /// The link whose instant centre, centrodes and inflection circle are shown; if empty, the first coupler.
+    /// The link whose instant centre, centrodes and inflection circle are shown; if empty, the first link not joined to
+    /// the frame.
     #[serde(default)]
     pub about: String,
     /// The reference link of the instant centre of `about`; if empty, the frame.
@@ -89,7 +91,7 @@ pub struct View {
     /// `crank-rocker.between`.
     #[serde(default)]
     pub measures: Vec<String>,
-    /// Plotted quantities: `angles`, or the name of a point, such as `C2`.
+    /// Plotted quantities: `angles`, or the name of a quantity or a point, such as `C2`.
     #[serde(default = "angles")]
     pub plot: String,
     /// Two quantities plotted against each other instead of against the input, if any.
@@ -183,7 +185,7 @@ impl Only {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Axes {
-    /// The crank angle.
+    /// The input, such as the crank angle.
     #[default]
     Analogues,
     /// Time, with ω₁ and ε₁ of the crank.
@@ -265,7 +267,7 @@ impl View {
         }
     }
 
-    /// Checks all numbers and choices.
+    /// Checks all numbers, the sense of rotation and the open lesson. Names are checked when the mechanism is drawn.
     ///
     /// # Errors
     /// All problems, each naming its field.

@@ -19,7 +19,7 @@ use crate::simulator::{bad, one};
 pub(crate) struct AssembliesHere {
     /// Assemblies in ascending order of `angle`.
     pub(crate) all: Vec<AssemblyHere>,
-    /// Index of the assembly in which the document moves; none if that assembly has no pose at this input.
+    /// Index of the assembly in which the document moves; none if it has no pose at this input or was not found.
     pub(crate) shown: Option<usize>,
     /// Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
     complex: Option<usize>,
@@ -107,7 +107,8 @@ pub(crate) struct MotionsMap {
 pub(crate) struct BranchLine {
     /// Index of the branch's circuit.
     circuit: usize,
-    /// Curve, split where input or output wraps. Inputs and outputs alternate: angles in [0, 2π] or a displacement.
+    /// Curve, split where the input or the output wraps. Inputs and outputs alternate. Angles are in [0, 2π); the input
+    /// of a slide is a displacement.
     pieces: Vec<Vec<f64>>,
 }
 
@@ -142,7 +143,7 @@ impl AllMotions {
     /// Finds all motions of the document in a state.
     ///
     /// # Errors
-    /// Every problem of the state; a document that is not a moving linkage.
+    /// Every problem of the state; a document without a moving linkage, or without a link to number its assemblies.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,
@@ -181,7 +182,7 @@ impl AllMotions {
     }
 
     /// Returns the branches of the assemblies at an input, and the way to each assembly from the one with index
-    /// `number`: `{branches, reached}`. Both lists are empty if an assembly is on no known branch.
+    /// `number`: `{branches, reached}`. Both lists are empty if any assembly is on no known branch.
     #[wasm_bindgen(unchecked_return_type = "Belonging")]
     pub fn belonging(&self, input: f64, number: usize) -> JsValue {
         let branches = self.branches_at(input).unwrap_or_default();

@@ -28,7 +28,7 @@ pub(crate) struct Canvas<'a> {
 
 impl<'a> Canvas<'a> {
     /// Draws on `context`, whose transform scales CSS pixels to the backing store by `ratio`. If `whole`, a curve
-    /// passes through all its points; otherwise indistinguishable points are omitted.
+    /// passes through all its points; otherwise points that make no visible difference are omitted.
     pub(crate) fn new(
         context: &'a CanvasRenderingContext2d,
         size: (u32, u32),
@@ -147,8 +147,9 @@ fn width(style: &impl BackendStyle) -> f64 {
     f64::from(style.stroke_width()) / f64::from(FINE)
 }
 
-/// Moves a horizontal or vertical line so that its edges lie between screen pixels; otherwise a thin line would be pale
-/// and twice as wide. Returns the line's width, a whole number of screen pixels. `ratio`: screen pixels per CSS pixel.
+/// Moves a horizontal or vertical line so that its edges lie between screen pixels; elsewhere a thin line would be pale
+/// and twice as wide. Returns the line's width, rounded to whole screen pixels. Other paths do not change. `ratio`:
+/// screen pixels per CSS pixel.
 fn sharpened(path: &mut [(f64, f64)], width: f64, ratio: f64) -> f64 {
     let [from, to] = path else {
         return width;

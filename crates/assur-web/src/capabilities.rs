@@ -38,7 +38,7 @@ pub(crate) trait Capabilities {
         self.linkage().map(|moving| moving as &dyn Moves)
     }
 
-    /// The moving linkage, if the document is a moving linkage.
+    /// The moving linkage that the document describes, if any.
     fn linkage(&self) -> Option<&Moving> {
         None
     }
@@ -139,16 +139,16 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step `by`; then −1 if the input turned back at the end of its range, otherwise 1.
+    /// The input after a step `by`; then −1 after an odd number of reversals at the ends of its range, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
-    /// The plots against the input. If the motion is endless, they cover the span of time that contains `around`.
+    /// The plots against the input. For a gear train without load, they cover the span of time that contains `around`.
     fn chart(&self, around: f64) -> Cow<'_, Chart>;
 
     /// The plot of one quantity against another that replaces the plots against the input, if any.
     fn against(&self, around: f64) -> Option<Cow<'_, Against>>;
 
-    /// The numbers of links, by the links' names. A number denotes the angle of its link.
+    /// Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
     fn numbers(&self) -> &BTreeMap<String, String>;
 
     /// The motion as a table, with this number of steps per turn of a crank, or over the range of any other input.
@@ -209,7 +209,7 @@ pub(crate) trait Edited {
     }
 }
 
-/// The problem of an unknown handle.
+/// The problem of an unknown name or choice, such as a handle; its path is always `point`.
 pub(crate) fn unknown(point: &str) -> Problem {
     Problem::BadState {
         path: "point".to_owned(),

@@ -39,7 +39,7 @@ pub(crate) struct ChartRequest {
     #[serde(default)]
     #[cfg_attr(test, ts(type = "Only"))]
     only: Only,
-    /// The input around which an endless motion is plotted.
+    /// The time around which the endless motion of a gear train without load is plotted.
     #[serde(default)]
     around: f64,
 }
@@ -297,7 +297,7 @@ impl<'a> PanelLayout<'a> {
     }
 }
 
-/// Finds the number of a link from the name of the link's angle.
+/// Finds the number of a link from the name of the link's angle or load angle.
 fn number_of<'a>(numbers: &'a BTreeMap<String, String>, name: &str) -> Option<&'a str> {
     let angle = name.strip_suffix(".angle");
     let link = angle.or_else(|| name.strip_suffix(".load_angle"))?;

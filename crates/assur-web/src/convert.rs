@@ -61,8 +61,8 @@ pub(crate) fn read_tagged<T: DeserializeOwned>(given: &JsValue, tag: &str) -> Re
     variant.map_err(|problem| thrown([problem]))
 }
 
-/// Takes the name of a variant from the start of a problem's path, where the page has none. Without the name there, the
-/// variant itself is unknown.
+/// Removes the name of a variant from the start of a problem's path, since the page's object has no such level. If the
+/// path does not start with the name, the variant is unknown, and `tag` becomes the path.
 fn outside_variant(problem: Problem, name: &str, tag: &str) -> Problem {
     let Problem::BadState { path, detail } = problem else {
         return problem;

@@ -41,7 +41,7 @@ impl Moving {
     /// Values of the drawn circles at an input.
     ///
     /// # Errors
-    /// The reason why there are no derivatives.
+    /// The reason why there is no pose, or why derivatives are unbounded.
     pub(crate) fn curvature(&self, input: f64) -> Result<CurvatureHere<'_>, Problem> {
         let pose: Pose<5> = (self.motion().pose(input)).map_err(|why| self.problem(&why))?;
         let circles = self.figure().curved().iter();

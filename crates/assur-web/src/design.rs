@@ -71,7 +71,7 @@ impl Design {
     /// greatest change of the dimension, as a fraction of its value.
     ///
     /// # Errors
-    /// Every problem of the state; if it has none, the first problem of the wishes.
+    /// A malformed state or malformed wishes; then every problem of the state; then the first problem of the wishes.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,

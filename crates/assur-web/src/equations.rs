@@ -1,4 +1,4 @@
-//! The constraint equations of a linkage, in the names of the page.
+//! The constraint equations of a linkage, for the page.
 
 use assur::mechanism::{Constraint, ConstraintKind, FRAME, LinkOrFrame, Mechanism, PointId, Pose};
 use serde::Serialize;
@@ -62,7 +62,7 @@ impl<'a> EquationSummary<'a> {
     }
 }
 
-/// Left side, right side and residual of every equation, in the order of the equations.
+/// Left side, right side and residual of every constraint equation or, for order 1 or 2, of its derivative.
 pub(crate) fn sides<const N: usize>(
     mechanism: &Mechanism,
     pose: &Pose<N>,

@@ -25,7 +25,7 @@ pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
-    /// The other assemblies, computed on first use and not on every edit.
+    /// Tracker of all assemblies, made on first use and not on every edit.
     following: OnceCell<RefCell<Following>>,
     /// Transmission and pressure angles of dyads, which are read out without derivatives.
     transmitting: Vec<Quantity>,
@@ -89,7 +89,7 @@ impl Moving {
         let pair = Pair::of(view, |name| Column::named(mechanism, name))?;
         let measures = measures(view, mechanism)?;
         let point = |name: &String| mechanism.point(name);
-        // The path of a plotted point is also drawn.
+        // The path of a point whose x is plotted is also drawn.
         let of_pair = pair
             .iter()
             .flat_map(|pair| pair.quantities(|one| one.quantity));
@@ -220,7 +220,8 @@ impl Moving {
         &self.measures
     }
 
-    /// The first plotted quantity, if it is an output; transmission and pressure angles are not outputs.
+    /// The first plotted quantity, if it is an output; transmission angles, pressure angles and corners are not
+    /// outputs.
     pub(crate) fn plotted_output(&self) -> Option<Quantity> {
         self.plotted.first().copied().filter(|one| !one.is_folded())
     }
@@ -258,8 +259,8 @@ impl Moving {
         &self.handles
     }
 
-    /// The document redrawn in the pose at an input. At the drawn input it is unchanged, unless a given length or shape
-    /// of a link differs from the drawing.
+    /// The document redrawn in the pose at an input. At the drawn input it is unchanged, unless the length or the shape
+    /// of a link is given.
     pub(crate) fn drawn(&self, input: f64) -> Result<LinkageDocument, Problem> {
         let own = |link: &LinkDocument| link.length.is_some() || link.shape.is_some();
         let document = &self.document;
@@ -324,7 +325,7 @@ fn overlays(view: &View) -> Overlays {
     }
 }
 
-/// Lines that a view shows in lectures: instant centres, centrodes, curvature.
+/// The lines of a view: instant centres, centrodes, curvature.
 fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     Lines {
         centres: view.instant_centres,

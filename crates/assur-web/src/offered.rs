@@ -20,7 +20,7 @@ pub fn blank() -> JsValue {
     to_js(&Document::Draft(DraftDocument::default()))
 }
 
-/// The view of a state that has none.
+/// The default view, for a state without a view.
 #[wasm_bindgen(js_name = defaultView, unchecked_return_type = "View")]
 pub fn default_view() -> JsValue {
     to_js(&View::default())

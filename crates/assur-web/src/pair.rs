@@ -16,7 +16,7 @@ impl<C> Pair<C> {
     /// Finds the pair that a view plots, if it has one, as columns of a motion.
     ///
     /// # Errors
-    /// The name of an unknown column.
+    /// A name that is neither a column nor, for the abscissa, the input.
     pub(crate) fn of(
         view: &View,
         column: impl Fn(&str) -> Option<C>,

@@ -35,7 +35,7 @@ pub(crate) struct PolygonPictureHere {
     smaller: f64,
 }
 
-/// A step: a vector equation, or points that follow from it.
+/// A step: the pole, a vector equation, or points that are found without one.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub(crate) struct PolygonStepHere {
@@ -147,7 +147,8 @@ impl Moving {
         found.collect()
     }
 
-    /// Name of a point, with the number of the link to which it belongs: `B3`.
+    /// Name of a node: that of its point and, if the node is the coincident point of a link, the link's number, as in
+    /// `B3`.
     fn node_name(&self, node: Node) -> String {
         let point = self.mechanism().point_name(node.point);
         let number = node.on.map(|body| self.body_number(body));

@@ -1,4 +1,4 @@
-//! The output of a linkage over a turn: stroke, dwell, phases.
+//! The output of a linkage over its motion: stroke, dwell, phases.
 
 use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{OutputProfile, PhaseKind};
@@ -6,7 +6,8 @@ use serde::Serialize;
 
 /// Default width of the dwell band of an angle, degrees.
 const BAND: f64 = 0.1;
-/// Default width of the dwell band of a length, as a fraction of the linkage's size, before it is rounded.
+/// Default width of the dwell band of a length, as a fraction of the linkage's size; it is rounded down to a power of
+/// ten.
 const FINE: f64 = 1e-3;
 
 #[derive(Serialize)]

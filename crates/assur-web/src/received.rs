@@ -10,7 +10,7 @@ use crate::kinds::open;
 /// the same state, with known keys only.
 ///
 /// # Errors
-/// Every problem of the state.
+/// Every problem of the state; if it has none, of the compared document; then of the first faulty step of the lesson.
 #[wasm_bindgen(js_name = readState, unchecked_return_type = "State & { view: View }")]
 pub fn read_state(
     #[wasm_bindgen(unchecked_param_type = "unknown")] state: JsValue,

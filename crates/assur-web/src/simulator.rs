@@ -21,15 +21,16 @@ use crate::table::SweepTable;
 use refusal::place;
 pub(crate) use refusal::{bad, one};
 
-/// An open document with its drawing. Inputs are in radians or, for a driven slide, in the unit of
-/// the lengths. A method that fails throws an `Error` with `problems`, an array of `{code, …}`, and changes nothing.
+/// An open document with its drawing. Inputs are in radians, for a driven slide in the unit of the lengths, for a gear
+/// train in seconds. A method that fails throws an `Error` with `problems`, an array of `{code, …}`, and changes
+/// nothing.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Simulator {
     document: Option<Box<dyn Capabilities>>,
     /// The unit of the document's lengths, and whether its kind of document has a field for the unit.
     lengths: Option<(LengthUnit, bool)>,
-    /// The motion that the last change has made. If the next state has the changed document, it is not made again.
+    /// The motion that the last change has made. If the next state has the changed document, this motion is used.
     made: Cell<Option<Motion>>,
 }
 
@@ -88,7 +89,7 @@ impl Simulator {
     /// The mechanism at an input, computed from one pose: animation frame, handles, read-outs and plotted values.
     /// Derivatives are with respect to the variable of the axes: input or time. If they are unbounded, read-outs and
     /// plotted values are empty, and `why` gives the reason. A document that never moves has only frame and handles;
-    /// its input is the fraction by which an open chain has fallen open.
+    /// its input is the fraction by which the last cut of a scheme is open.
     ///
     /// # Errors
     /// The reason why there is no pose.
@@ -120,8 +121,9 @@ impl Simulator {
         Ok(to_js(&Vec::from_iter(problem)))
     }
 
-    /// Names of the read-outs: the input, the transmission and pressure angles of dyads, then every
-    /// quantity with its first (′) and second (″) derivative. Empty if the document does not move.
+    /// Names of the read-outs: the input, the transmission and pressure angles of dyads, then every quantity with its
+    /// first (′) and second (″) derivative, then torques and energies of a gear train under load. Empty if the document
+    /// does not move.
     ///
     /// # Errors
     /// A call before the first `set`.
@@ -135,7 +137,7 @@ impl Simulator {
     /// A traced point stays on its link. `set` checks whether the changed document is a mechanism.
     ///
     /// # Errors
-    /// An unknown point; a place that is not finite; no pose at this input.
+    /// An unknown handle; a place that is not finite; no pose at this input.
     #[wasm_bindgen(unchecked_return_type = "Changed")]
     pub fn drag(&self, point: &str, input: f64, x: f64, y: f64) -> Result<JsValue, JsValue> {
         let change = self.edited()?.drag(point, input, place(x, y)?);
@@ -255,7 +257,8 @@ impl Simulator {
         Ok(self.after(change.map_err(thrown)?))
     }
 
-    /// The input after a step `delta`, and a factor: −1 if the input turned back at the end of its range, otherwise 1.
+    /// The input after a step `delta`, and a factor: −1 after an odd number of reversals at the ends of its range,
+    /// otherwise 1.
     ///
     /// # Errors
     /// A call before the first `set`; a document that does not move.
@@ -264,8 +267,8 @@ impl Simulator {
         Ok(vec![input, sense])
     }
 
-    /// Draws the plots on a canvas whose transform maps CSS pixels to its backing store; `request`
-    /// is `{width, height, palette, around}`. Returns the layout of the plots' text.
+    /// Draws the plots on a canvas whose transform maps CSS pixels to its backing store. `request` is a `ChartRequest`
+    /// with at least `{width, height, palette}`. Returns the layout of the plots' text.
     ///
     /// # Errors
     /// A malformed request; a call before the first `set`; a document that does not move.
@@ -292,9 +295,9 @@ impl Simulator {
         chart::draw(self.moves()?, Some(with.moves()?), context, &request).map_err(one)
     }
 
-    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`. It
-    /// has `steps` rows per turn of the crank, and rows where the motion ends or turns back. A
-    /// missing value is `null`; the row then has the reason.
+    /// The motion as a table `{dimensions, columns, rows: [{input, values, reason}], compared}`. There are `steps` rows
+    /// per turn of a crank, or `steps` steps over the range of any other input, and further rows where the motion turns
+    /// back. A missing value is `null`; the row then has the reason.
     ///
     /// # Errors
     /// A call before the first `set`; a document that does not move.
@@ -356,7 +359,7 @@ impl Simulator {
         Ok(to_js(&here.map_err(one)?))
     }
 
-    /// Keeps the motion that a change has made for the next `set`, and returns the change for the page.
+    /// Returns a change for the page, and keeps its motion, if it has one, until the next `set`.
     fn after(&self, change: Change) -> JsValue {
         let (change, motion) = change.into_parts();
         self.made.set(motion);

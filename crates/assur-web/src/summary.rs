@@ -18,7 +18,7 @@ use crate::kinds::BECOMES;
 use crate::moving::Moving;
 use crate::profile::ProfileSummary;
 
-/// Summary of a drawing and its structure, whether it moves or not.
+/// Summary of the drawing and the structure of a linkage.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct StructureSummary<'a> {
@@ -150,7 +150,8 @@ pub(crate) struct TransmissionSummary<'a> {
 }
 
 /// Profile of an output. `swing` and `turns` have a value for each arc of the input: `swing` is null if the output
-/// keeps rotating; `turns` is the travel along the arc and back, in turns. If not `searched`, only the name is set.
+/// keeps rotating; `turns` is the travel over a full cycle, or along the arc and back, in turns. If not `searched`,
+/// only the name is set.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct OutputSummary {
@@ -279,7 +280,7 @@ impl<'a> MotionSummary<'a> {
             pressed: false,
         });
         let plotted = moving.plotted().iter();
-        // The first plotted quantity is usually an output, so its motion is not searched again for the outputs.
+        // The first plotted quantity is usually one of these outputs; its motion is then not searched again.
         let outputs = moving.outputs();
         let profiles = outputs.iter().map(|one| {
             let name = one.name(mechanism, 0);

@@ -3,7 +3,7 @@
 /// Maximum number of consecutive points that are omitted.
 const ROW: usize = 60;
 
-/// Omits the points of a line that are closer than `unseen` to the line through the remaining points.
+/// Omits points of a polyline whose distance from the polyline through the remaining points is at most `unseen`.
 pub(crate) fn thinned(points: &[(f64, f64)], unseen: f64) -> Vec<(f64, f64)> {
     let straight = |row: &[(f64, f64)]| {
         let [from, between @ .., to] = row else {

@@ -29,7 +29,7 @@ impl Axis {
     }
 }
 
-/// Plot of one quantity against another over a motion, sampled only when the plot is made.
+/// Plot of one quantity against another over a motion, sampled once, when the plot is made.
 #[derive(Clone, Debug)]
 pub struct Against {
     pub(super) axes: [Axis; 2],

@@ -9,6 +9,7 @@ const GAP: f64 = 4.0;
 
 impl Chart {
     /// Adds the other chart's curve of every quantity whose name is in both charts. The axes then span both charts.
+    /// Nothing is added if the quantities or the inputs are of different kinds.
     pub fn compare(&mut self, other: &Self) {
         if self.turns != other.turns || self.kind != other.kind {
             return;

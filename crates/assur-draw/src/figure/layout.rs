@@ -75,7 +75,8 @@ impl Layout {
         layout
     }
 
-    /// Returns a link's corners: two of a bar, three or more of a plate, none of a link without points of its own.
+    /// Returns a link's corners: one of a bare wheel or block, two of a bar, three or more of a plate, none of a link
+    /// that is fixed to another and has no points of its own.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();
@@ -190,7 +191,8 @@ impl Layout {
         pinned.block || pinned.slot
     }
 
-    /// Whether a point is visible. Points that only define a line of the frame, and hidden centres of mass, are not.
+    /// Whether a point is visible. Points that only define a line of the frame, hidden centres of mass and plain shafts
+    /// are not.
     pub(super) fn is_drawn(&self, point: PointId) -> bool {
         let hidden = self.is_centre(point) && !self.points[point.index()].shown;
         let seen = !hidden || self.is_joint(point);

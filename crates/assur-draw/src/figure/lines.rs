@@ -1,4 +1,4 @@
-//! Lines for lectures: instant centres with Kennedy's lines, centrodes, circles of curvature.
+//! Instant centres with Kennedy's lines, centrodes, evolutes, inflection circle and circles of curvature.
 
 use assur::centres::{Centre, InstantCentre, Source};
 use assur::curvature::{Centrodes, Circles, Curvature, Evolute};
@@ -28,7 +28,7 @@ pub struct Lines {
     pub centrodes: bool,
     /// Whether to draw the inflection circle of `link`, and the circles of curvature and evolutes of traced paths.
     pub curvature: bool,
-    /// The link concerned; by default the first one that is not joined to the frame.
+    /// The link whose centre, centrodes and inflection circle are drawn; by default the first not joined to the frame.
     pub link: Option<LinkId>,
     /// Reference link of the instant centre; by default the frame.
     pub against: LinkOrFrame,
@@ -270,7 +270,7 @@ impl Drawn {
                 list.polyline(Role::Accent1, Look::Thin, &[centre, bend.at]);
                 self.mark(list, centre, centre_name, unit);
             } else {
-                // An arc too flat to differ from a straight line is drawn as its tangent.
+                // A circle of very large or infinite radius is drawn as its tangent.
                 let along: Vector = bend.tangent * (MAX_DISTANCE * self.size);
                 list.polyline(
                     Role::Accent1,

@@ -9,8 +9,8 @@ use assur::{Point, Vector};
 use super::layout::Layout;
 use crate::list::{List, Look, Role};
 
-/// Number of points on a path per turn of the link that carries the tracing point. The path deviates from its chords by
-/// less than 1/30 of a pixel if its second derivative with respect to the link's angle is at most 1000 pixels.
+/// Number of points on a path per turn of the link that carries the point. The path deviates from its chords by less
+/// than 1/30 of a pixel if its second derivative with respect to the link's angle is at most 1000 pixels.
 const TURN: usize = 432;
 /// Number of poses of an oscillating motion: per turn of the crank, or per arc that is shorter than a turn.
 const SWING: usize = 360;

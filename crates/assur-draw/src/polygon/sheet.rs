@@ -18,7 +18,7 @@ const POSES: Sampling = Sampling {
 const MAX_SIZE: f64 = 10.0;
 /// As [`MAX_SIZE`], in a motion with dead points, near which vectors grow without bound.
 const MOST_OF_DEAD: f64 = 3.0;
-/// Least distance of the pole from the sheet's edges, as a share of the side of the sheet.
+/// Least distance of the pole from the sheet's edges, as a share of the size of all usual polygons together.
 const EDGE: f64 = 0.1;
 /// Size of a polygon, relative to the sheet, up to which its scale is not reduced. Between sampled poses some polygons
 /// slightly exceed the sheet.
@@ -51,7 +51,7 @@ impl PolygonSheet {
         Self::of(found, if dead { MOST_OF_DEAD } else { MAX_SIZE })
     }
 
-    /// Makes the sheet from the rectangles around polygons, without those over `most` times as large as the median.
+    /// Makes the sheet from the rectangles around polygons; those larger than `most` times the median are left out.
     fn of(mut found: Vec<Rectangle>, most: f64) -> Self {
         sort_by(&mut found, |a, b| reach(*a).total_cmp(&reach(*b)));
         let median = found.get(found.len() / 2).map_or(0.0, |a| reach(*a));

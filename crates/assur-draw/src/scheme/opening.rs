@@ -127,7 +127,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Whether the chain falls apart without this pair.
+    /// Whether the pair joins exactly two links and the chain falls apart without it.
     fn parts(&self, pair: usize) -> bool {
         let [one, other] = self.left[pair][..] else {
             return false;

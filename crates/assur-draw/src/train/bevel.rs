@@ -30,7 +30,7 @@ const CLEAR: f64 = 0.1;
 const SHAFT: f64 = 0.5;
 /// Radius of working member 7 (a brush, a blade or the like) on a satellite's pin, relative to the satellite's radius.
 const SEVENTH: f64 = 0.8;
-/// Working member 8, on the carrier's shaft: distance from the cage and radius, relative to the size of the train.
+/// Working member 8, on the carrier's shaft: its distance from the cage, and its radius, relative to the train's size.
 const EIGHTH: [f64; 2] = [0.85, 0.7];
 /// Distance of the ground below the main axis, relative to the size of the train.
 const FOOT: f64 = 0.55;
@@ -44,7 +44,7 @@ pub(super) struct Bevel {
     layout: Layout,
     view: TrainView,
     projection: Projection,
-    /// Wide ends of sun and ring: distance from the apex along the wheel's axis, and radius.
+    /// Wide ends of sun and ring: position along the main axis, and radius.
     central: [[f64; 2]; 2],
     /// Wide end of a satellite: distance from the apex along the satellite's axis, and radius.
     satellite: [f64; 2],

@@ -72,7 +72,7 @@ pub struct Moved {
     pub document: LinkageDocument,
     /// Motion of the linkage.
     pub motion: Motion,
-    /// Plotted quantities, either all angles or all coordinates.
+    /// Plotted quantities, either all angles or all lengths.
     pub plotted: Vec<Quantity>,
 }
 

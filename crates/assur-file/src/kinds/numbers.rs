@@ -1,4 +1,5 @@
-//! The numbers of a document that a lesson may vary, with the paths of their fields. They are shown beside the drawing.
+//! The numbers of a document that a lesson may vary and the page shows beside the drawing, with the paths of their
+//! fields.
 
 use serde::Serialize;
 use serde_json::Value;

@@ -242,7 +242,7 @@ impl SchemeDocument {
     /// The scheme that the document describes.
     ///
     /// # Errors
-    /// Every problem of the document.
+    /// Every problem of single fields or, if there are none, of the scheme; then the first unknown link among the ends.
     pub fn scheme(&self) -> Result<Scheme, Vec<Problem>> {
         self.check()?;
         let draft = SchemeSpec {
@@ -262,7 +262,7 @@ impl SchemeDocument {
     /// The pairs that are cut.
     ///
     /// # Errors
-    /// Cuts of unknown pairs, or of links that the pair does not join.
+    /// The first cut of an unknown pair, or of a link that the pair does not join.
     pub fn cuts(&self, scheme: &Scheme) -> Result<Vec<Cut>, Vec<Problem>> {
         let cuts = self.cut.iter().map(|name| scheme.cut_named(name));
         let cuts: Result<_, _> = cuts.collect();

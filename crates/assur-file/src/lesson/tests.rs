@@ -274,7 +274,7 @@ fn a_state_has_it_and_tells_what_is_wrong() {
     assert_eq!(State::read(&state).unwrap().lesson, None);
 }
 
-/// A step that shows a mechanism of the catalogue with one number varied.
+/// Checks a step that shows a document with one number varied.
 fn varied(
     document: &Document,
     field: &str,

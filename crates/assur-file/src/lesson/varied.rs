@@ -9,7 +9,7 @@ use crate::problem::Problems;
 /// Maximum number of varied numbers in a step.
 const VARIED: usize = 12;
 
-/// Maximum number of values that a varied number can take.
+/// Maximum number of steps of a varied number from its least to its greatest value.
 const VALUES: f64 = 10_000.0;
 
 /// A number that varies in steps from one value to another.

@@ -23,7 +23,7 @@ use crate::summary::MotionSummary;
 /// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
-    /// The linkage in the notation of the paper on the combined method; none for any other linkage.
+    /// The linkage in the notation of the paper on the combined method; none if the paper does not describe it.
     of_paper: Option<CombinedMethod>,
 }
 

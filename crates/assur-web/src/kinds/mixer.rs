@@ -50,7 +50,7 @@ struct Lengths {
     assembly: u8,
 }
 
-/// The traced points, after one of them was added or moved.
+/// The change of the traced points after one of them was added or moved.
 fn retraced(tracers: &[Tracer]) -> Change {
     let tracers = tracers.iter().map(Into::into);
     let tracers: Vec<MixerTracerDocument> = tracers.collect();
@@ -104,8 +104,8 @@ fn number_of(assembly: Assembly) -> u8 {
     }
 }
 
-/// Read-outs of a mixer: all quantities except the angles of the crank and of links fixed to another link, and the
-/// coordinates of frame points.
+/// Read-outs of a mixer: all quantities except coordinates of frame points, and except the angles of the crank and of
+/// links fixed to another link.
 fn readouts(document: &LinkageDocument, mechanism: &Mechanism) -> Vec<Quantity> {
     let driven = document
         .drivers

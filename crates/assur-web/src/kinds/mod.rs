@@ -24,7 +24,8 @@ pub(crate) fn open(state: &State) -> Result<Box<dyn Capabilities>, Vec<Problem>>
     open_after(None, state)
 }
 
-/// Opens the document of a state after a change that has made a motion, which may be that of the document.
+/// Opens the document of a state. `made` is the motion that the last change made, if any; it is used only if it is that
+/// of the document.
 ///
 /// # Errors
 /// Every problem of the state.

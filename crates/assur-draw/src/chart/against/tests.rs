@@ -75,7 +75,7 @@ fn other_axes_fill_the_field() {
     assert_eq!(field(&against, [70, 340]), None);
 }
 
-/// Gaps of the motion are gaps of the curve, which is cut at the edges of the field.
+/// A curve is cut where it leaves the field, and goes on where it enters the field again.
 #[test]
 fn curves_are_cut_where_they_leave() {
     let spans = [[0.0, 10.0], [0.0, 10.0]];

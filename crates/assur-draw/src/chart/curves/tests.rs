@@ -104,7 +104,7 @@ fn curves_are_cut_at_the_bounds() {
     assert_eq!(parts, expected);
 }
 
-/// A dwell is marked only at its ends, everything else everywhere.
+/// Of a dwell, only the ends and the curve's extremes are marked; elsewhere, all zeros and extrema are.
 #[test]
 fn a_dwell_is_marked_at_its_ends() {
     let mark = |(crank, value): (f64, f64)| Mark {

@@ -8,7 +8,7 @@ use super::*;
 
 /// An arm with a sun on the frame and a planet in a ring, and a train beside it.
 fn draft() -> LinkageSpec {
-    // Where the second wheel has the same module in both of its meshes.
+    // Module of the mesh of the ring with the second wheel; the third wheel is placed to have the same.
     let module = 2.0 * 10.0_f64.sqrt() / 94.0;
     let mut draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
@@ -32,7 +32,7 @@ fn draft() -> LinkageSpec {
     sun.fixed_to = Some("frame".to_owned());
     draft.links.push(sun);
     for (links, carrier, teeth, mesh) in [
-        // Not in the order of the transmission.
+        // The couplings are not in the order of the transmission.
         (["third", "second"], "frame", [15.0, 24.0], Mesh::External),
         (["sun", "planet"], "arm", [30.0, 20.0], Mesh::External),
         (["planet", "ring"], "arm", [20.0, 70.0], Mesh::Internal),

@@ -3,14 +3,14 @@ use assur::gears::train::{Coupling, Drive, Input, Shaft, Train};
 
 use super::*;
 
-/// The excess of a phase over half a turn, in turns.
+/// The distance of a phase from half a turn, modulo whole turns, in turns.
 fn beyond_half(phase: f64) -> f64 {
     let turns = phase / TAU - 0.5;
     (turns - turns.round()).abs()
 }
 
-/// Wheels in contact touch in one place, where teeth meet gaps and north meets south, at all speeds
-/// that the train allows.
+/// Gears touch along a line, where teeth meet gaps; with magnets north meets south. This is so at all angles that the
+/// train allows.
 #[test]
 fn cones_roll_on_one_another() {
     for (teeth, satellites) in [

@@ -169,8 +169,8 @@ impl GearTrainDocument {
     }
 }
 
-/// Converts a defect of the model under load to a problem if the document is not known. The problem names the
-/// list of drives, not the drive at fault.
+/// Converts a defect of the model under load to a problem, without the document: the problem of a drive then names only
+/// the list of drives.
 pub(super) fn of_load(defect: Defect) -> Problem {
     let problem = match defect {
         Defect::Value { quantity, fault } => return Problem::of_fault(field(quantity), fault),

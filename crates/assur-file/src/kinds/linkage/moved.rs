@@ -119,8 +119,9 @@ impl LinkageDocument {
         }
     }
 
-    /// The usual outputs of textbooks: coordinates of sliders on guides of the frame, then angles of links
-    /// hinged to the frame; if there are none, the angles of all links. Driven links are excluded.
+    /// The usual outputs of textbooks: coordinates of sliders on guides of the frame, then angles of links hinged to
+    /// the frame; if there are none, the angles of all links. Driven links, and angles of links fixed to others, are
+    /// excluded.
     fn usual_outputs(&self, mechanism: &Mechanism) -> Vec<Quantity> {
         let draft = self.spec();
         let driven: Vec<&str> = (draft.drivers.iter())
@@ -155,9 +156,9 @@ impl LinkageDocument {
         others.filter_map(angle).collect()
     }
 
-    /// The quantities to be plotted for a choice on the page. `angles` stands for the outputs of the same kind as
-    /// the first (angle or coordinate) or, if there are no outputs, for all angles; `LINK.angle` for one angle;
-    /// the name of a point for both its coordinates. None for an unknown name.
+    /// The quantities to be plotted for a choice on the page. `angles` stands for the outputs of the same kind as the
+    /// first (angle or length) or, if there are no outputs, for all angles; the name of a point for both its
+    /// coordinates; the name of a quantity, such as `LINK.angle`, for the quantity. None for an unknown name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
             let mut asked = self.outputs(mechanism);

@@ -74,8 +74,8 @@ impl LinkageDocument {
         }
     }
 
-    /// The specification that the document describes. Drivers that are neither a crank nor a slide
-    /// are left out; [`Self::mechanism`] refuses them.
+    /// The specification that the document describes. Drivers other than a crank or a slide with its range are left
+    /// out; [`Self::mechanism`] refuses them.
     pub fn spec(&self) -> LinkageSpec {
         let place = |[x, y]: [f64; 2]| Point::new(x, y);
         let points = self.points.iter().map(|point| PointSpec {
@@ -137,7 +137,7 @@ impl TracerDocument {
     }
 }
 
-/// The driver of the engine; none if it is neither a crank nor a slide.
+/// The driver of the engine; none unless it is either a crank or a slide with its range.
 pub(super) fn driver(driver: &DriverDocument) -> Option<DriverSpec> {
     match driver {
         DriverDocument {

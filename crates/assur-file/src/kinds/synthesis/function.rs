@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{PositionDocument, SynthesisProblem};
 use crate::Problem;
 
-/// Number of samples of a linkage's error curve. The maximum is sought between samples.
+/// Number of samples of a linkage's error curve. The maximum is also sought between samples.
 const SAMPLES: usize = 101;
 
 /// A wanted function y = f(x). The input angle φ₃ is linear in x, and the output angle φ₂ is linear in y.
@@ -20,7 +20,7 @@ pub struct FunctionDocument {
     pub x: [f64; 2],
     /// φ₃ at the two ends of the interval of x, degrees.
     pub input_deg: [f64; 2],
-    /// φ₂ for the values of y at these two ends, degrees.
+    /// φ₂ for the values of y at the two ends of the interval of x, degrees.
     pub output_deg: [f64; 2],
 }
 

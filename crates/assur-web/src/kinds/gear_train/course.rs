@@ -38,7 +38,7 @@ pub(crate) struct Course {
     /// Two quantities plotted against each other, in place of the plots over time.
     pair: Option<Pair<Column>>,
     numbers: BTreeMap<String, String>,
-    /// Plots of a run under load; none for the endless motion without load.
+    /// Plots of a run under load; none for the endless motion without load, or if `pair` is plotted.
     chart: Option<Chart>,
     against: Option<Against>,
 }
@@ -200,7 +200,7 @@ impl Course {
         series.collect()
     }
 
-    /// Makes the plots of a run under load, once for all times.
+    /// Makes the plots of a whole run under load.
     fn plot_run(&mut self) {
         let Some(recording) = &self.recording else {
             return;

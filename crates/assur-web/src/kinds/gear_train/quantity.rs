@@ -11,7 +11,7 @@ pub(crate) const NUMBERS: [&str; 4] = ["1", "2", "3", "4"];
 /// Names of the meshes, in the order of [`Mesh::ALL`]: a mesh has the name of its central wheel.
 pub(crate) const MESHES: [&str; 2] = ["sun", "ring"];
 
-/// A quantity with its first two derivatives.
+/// A quantity that is read out and plotted with its first two derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Quantity {
     /// The angle of a body, by its index in [`Body::ALL`](assur::dynamics::Body::ALL), relative to the observer.

@@ -41,7 +41,8 @@ pub(crate) struct GearTrainSummary<'a> {
     builds: bool,
     /// Similar trains that can be built; empty if this train can be built.
     suggestions: Vec<SuggestionSummary>,
-    /// Number of satellite teeth z₂ for which gears with these z₁ (sun) and z₄ (ring) mesh, if there is such a number.
+    /// Number of teeth z₂ of a planar train's satellite with which gears with these z₁ (sun) and z₄ (ring) mesh, if
+    /// any.
     in_contact: Option<u32>,
     mobility: MobilitySummary,
     /// Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels.

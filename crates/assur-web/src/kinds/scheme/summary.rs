@@ -118,9 +118,9 @@ pub(crate) struct JudgedSummary<'a> {
     redundant: usize,
     redundancies: Vec<RedundancySummary<'a>>,
     idle: Vec<Vec<&'a str>>,
-    /// W in a nearby pose, if one was found.
+    /// W in a nearby pose, if one was found; also 0 if W is 0 in the drawn pose.
     generic: Option<usize>,
-    /// Whether the scheme moves only for an instant: by rank W is not 0, but there is no nearby pose.
+    /// Whether the scheme moves only for an instant: by rank W is not 0, but no nearby pose was reached.
     instantaneous: bool,
 }
 
@@ -302,7 +302,7 @@ impl<'a> JudgedSummary<'a> {
             redundancies,
             idle,
         } = scheme.rank_report(space)?;
-        // With more pairs than this, the search for a nearby pose may take longer than a drag allows.
+        // For a scheme with more pairs, the search for a nearby pose may take longer than a drag allows.
         let near = (scheme.pairs().len() <= FOLLOWED).then(|| scheme.generic(space));
         let generic = near.transpose()?;
         let links = |links: &Vec<usize>| {

@@ -39,7 +39,7 @@ pub(crate) struct FamilyCurve {
     verdicts: Vec<&'static str>,
 }
 
-/// A search for the least ΣJ, the sum of the squared gaps over all positions.
+/// A search for the least ΣJ, the weighted sum of the squared gaps over all positions.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FoundSummary {
@@ -49,7 +49,7 @@ pub(crate) struct FoundSummary {
     best: usize,
     /// l₂ and l₃ along the path from each start.
     paths: Vec<Vec<[f64; 2]>>,
-    /// Decimal logarithm of ΣJ over l₂ and l₃.
+    /// Decimal logarithm of ΣJ as a function of l₂ and l₃.
     sum: PlaneSummary,
 }
 

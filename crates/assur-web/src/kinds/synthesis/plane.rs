@@ -34,7 +34,7 @@ impl PlaneSummary {
         }
     }
 
-    /// Decimal logarithm of ΣJ over l₂ (output) and l₃ (input).
+    /// Decimal logarithm of ΣJ as a function of l₂ (output) and l₃ (input).
     pub(super) fn sum(task: &Task) -> Self {
         let surface = Surface::new(task);
         Self::new(task, |output, input| {
@@ -43,8 +43,8 @@ impl PlaneSummary {
         })
     }
 
-    /// Number of positions in which some l₃ closes the linkage, over l₁ (coupler) and l₂ (output). Theorems 1 and 2
-    /// hold where all positions can be closed.
+    /// Number of positions in which some l₃ closes the linkage, as a function of l₁ (coupler) and l₂ (output). Theorems
+    /// 1 and 2 hold where all positions can be closed.
     pub(super) fn closed(task: &Task) -> Self {
         let positions = 0..task.positions().len();
         Self::new(task, |coupler, output| {

@@ -1,4 +1,4 @@
-//! Summary of a synthesis beyond the motion of the drawn linkage.
+//! Summary of a synthesis: motion of the drawn linkage, solutions, values at the wanted positions.
 
 use assur::synthesis::four_bar::{Options, Order, Passage, Proportions, Solution, Task};
 use assur_file::{Document, Synthesis, SynthesisDocument};
@@ -15,7 +15,7 @@ use crate::summary::MotionSummary;
 pub(crate) struct SynthesisSummary<'a> {
     #[serde(flatten)]
     motion: MotionSummary<'a>,
-    /// Source of the solutions.
+    /// Source of the drawn solution.
     #[cfg_attr(test, ts(type = "\"family\" | \"exact\" | \"found\" | \"trial\""))]
     from: &'static str,
     /// The numbered solutions, in numerical order; empty for a family.
@@ -32,7 +32,7 @@ pub(crate) struct SynthesisSummary<'a> {
     family: Option<FamilySummary>,
     found: Option<FoundSummary>,
     wanted: Vec<WantedSummary>,
-    /// Number of positions that can be closed, over l₁ (coupler) and l₂ (output).
+    /// Number of positions that can be closed, as a function of l₁ (coupler) and l₂ (output).
     closed: PlaneSummary,
     /// Result of the paper's method, if the document gives every coupler angle.
     printed: Option<PrintedSummary>,
@@ -67,7 +67,7 @@ pub(crate) struct SolutionSummary {
     starts: [f64; 2],
     /// The greatest gap at the coupler over all positions, in the unit of lengths.
     gap: f64,
-    /// Sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
+    /// Weighted sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths.
     sum: f64,
     /// Maximum error of the output angle, radians; none if a position is not reached.
     output_error: Option<f64>,

@@ -43,7 +43,7 @@ pub(crate) struct WantedSummary {
     interval: Option<Range>,
 }
 
-/// The least ΣJ over positive lengths, with the coupler angles given.
+/// The least ΣJ over lengths that are not negative, with the coupler angles given.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PrintedSummary {
@@ -216,7 +216,7 @@ impl PrintedSummary {
 }
 
 impl WeightedSummary {
-    /// Makes the summary for three or more positions without free starting angles; none if the fit finds no lengths.
+    /// Makes the summary; none with free starting angles, for fewer than three positions, or if no lengths are found.
     pub(super) fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let enough = task.positions().len() >= 3 && !document.free;
         let found = enough.then(|| weighted_difference(task)).flatten()?;
