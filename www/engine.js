@@ -25,7 +25,7 @@ export class Engine {
   functions = guarded(() => module, (call) => this.ask(call));
   #simulator = new module.Simulator();
   /** @type {State | null} the last state that the simulator accepted */
-  #good = null;
+  #lastAccepted = null;
   #compared = new Compared(() => new module.Simulator());
   /** Number of earlier instances of the module. */
   #instances = 0;
@@ -64,7 +64,7 @@ export class Engine {
       this.choosesLengths = simulator.choosesLengths();
       return withAssembled(this.#compared.follow(state, taken), this.simulator);
     });
-    this.#good = state;
+    this.#lastAccepted = state;
     this.trapped = false;
     this.#outliveCompared();
     return /** @type {Summaries[K]} */ (summary);
@@ -171,20 +171,20 @@ export class Engine {
   }
 
   /**
-   * Starts a new instance of the module with the last good state. After a trap, the old instance is unusable: its
+   * Starts a new instance of the module with the last accepted state. After a trap, the old instance is unusable: its
    * stack stays full and its objects stay borrowed. All simulators of the old instance are lost.
    */
   #renew() {
     module.__wbg_reset_state();
     this.#instances += 1;
     this.#simulator = new module.Simulator();
-    const good = this.#good;
-    if (!good) return;
+    const state = this.#lastAccepted;
+    if (!state) return;
     try {
-      this.#simulator.set(alone(good));
+      this.#simulator.set(alone(state));
     } catch (thrown) {
       console.error(thrown);
-      this.#good = null;
+      this.#lastAccepted = null;
       this.#renew();
     }
   }

@@ -34,7 +34,7 @@ export function commands(page) {
 function fileCommands(page) {
   const { engine, model, notices, store } = page;
   // The last document that the engine accepted, with the current lesson, comparison and picture.
-  const now = () => withFurther(model.good, furtherOf(store.get()));
+  const now = () => withFurther(model.lastAccepted, furtherOf(store.get()));
   const copy = async () => {
     const { link, copied } = await copyLink(now(), page.address);
     /** @type {readonly import("assur/app/notices.js").Done[]} */
@@ -54,7 +54,7 @@ function fileCommands(page) {
   };
   return {
     open: filePicker((file) => page.take(takeFile(file, engine, page.ofNow()))),
-    save: () => saveFile(now(), engine.catalogue.fileName(model.good)),
+    save: () => saveFile(now(), engine.catalogue.fileName(model.lastAccepted)),
     copy: () => (page.address.holds(now()) ? copy() : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),

@@ -184,12 +184,12 @@ export class Page {
   choose(kind, document, edits = [], look = () => ({})) {
     const { store, model, address } = this;
     model.follow(store.get());
-    const before = model.good;
+    const before = model.lastAccepted;
     this.#player.begin();
     choose(kind, document, edits, look, this);
     // No address holds a document that the engine refuses.
     model.follow(store.get());
-    address.enter(before, model.good);
+    address.enter(before, model.lastAccepted);
   }
 
   /**
@@ -239,7 +239,7 @@ export class Page {
   #render() {
     this.model.follow(this.store.get());
     // The plotted quantity may have been removed along with a part of the mechanism.
-    if (this.model.astray) {
+    if (this.model.hasDanglingReference) {
       this.store.update((state) => withView(state, PARTS));
       this.model.follow(this.store.get());
     }

@@ -60,11 +60,11 @@ export function others(page, count) {
  * @returns {AsyncGenerator<Moment>}
  */
 export function moments(page, inputs, work) {
-  return momentsOf(page.model.good.document, page, inputs, work);
+  return momentsOf(page.model.lastAccepted.document, page, inputs, work);
 }
 
 /**
- * @param {Page["model"]["good"]["document"]} document of the mechanism
+ * @param {Page["model"]["lastAccepted"]["document"]} document of the mechanism
  * @param {Page} page
  * @param {readonly number[]} inputs
  * @param {Work} work
@@ -78,7 +78,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
     await breath();
     signal.throwIfAborted();
     // If the mechanism has been replaced, further moments would not belong to this motion.
-    if (page.model.good.document !== document) throw new DOMException("", "AbortError");
+    if (page.model.lastAccepted.document !== document) throw new DOMException("", "AbortError");
     const { value, problems } = attempt(() => page.engine.at(input));
     if (value) found = true;
     else why = problems;

@@ -62,7 +62,7 @@ function worksheet(page, steps) {
     make("div", { class: "figures" }, figures),
     make("div", { class: "tables" }, [dimensions(page), values(model.summary.moves !== null)]),
     ...(items.length > 0 ? [make("ol", {}, items), ...page.lesson.onPaper(END)] : []),
-    foot(address.link(model.good), engine),
+    foot(address.link(model.lastAccepted), engine),
   ]);
 }
 
@@ -71,7 +71,7 @@ function worksheet(page, steps) {
  * @returns {HTMLElement} all given numbers of the drawn mechanism
  */
 function dimensions({ engine, model, words }) {
-  const rows = given(model.good, engine, words).map((one) => make("tr", {}, [make("td", {}, withSubscripts(one))]));
+  const rows = given(model.lastAccepted, engine, words).map((one) => make("tr", {}, [make("td", {}, withSubscripts(one))]));
   return make("table", {}, [make("tbody", {}, rows)]);
 }
 

@@ -15,7 +15,7 @@ export const READERS = Object.freeze(["lang", "lesson", "projector", "drawing"])
  * @param {import("assur/app/page.js").Page} page
  * @returns {NonNullable<Step["shows"]>} the document and view of the page
  */
-export function shownNow({ model: { good: { kind, document, view } } }) {
+export function shownNow({ model: { lastAccepted: { kind, document, view } } }) {
   const usual = /** @type {Record<string, unknown>} */ (usualView(RESTING));
   const own = Object.entries(view).filter(([key, value]) => !READERS.includes(key) && !contains(usual, { [key]: value }));
   return /** @type {NonNullable<Step["shows"]>} */ ({ kind, document, view: Object.fromEntries(own) });

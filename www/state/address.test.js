@@ -82,10 +82,10 @@ test("an address that the browser does not take is no fault", (t) => {
  * A store whose changes are kept.
  * @param {import("node:test").TestContext} t
  */
-function keeping(t, { sound = () => true, ours = true, unkept = () => {} } = {}) {
+function keeping(t, { accepts = () => true, ours = true, unkept = () => {} } = {}) {
   t.mock.timers.enable({ apis: ["setTimeout"] });
   const store = new Store(stateOf(engine, "jansen"));
-  persist(store, new Address(engine, "en"), sound, ours, unkept);
+  persist(store, new Address(engine, "en"), accepts, ours, unkept);
   return store;
 }
 
@@ -113,7 +113,7 @@ test("a turning crank alone is written when the page is left", (t) => {
 });
 
 test("what the engine does not take is not kept: what was there stays", (t) => {
-  const store = keeping(t, { sound: () => false });
+  const store = keeping(t, { accepts: () => false });
   store.update((state) => withView(state, { traces: false }));
   t.mock.timers.tick(400);
   assert.deepEqual([kept.size, location.href], [0, `${HOME}#old`]);

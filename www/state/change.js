@@ -88,6 +88,6 @@ export function choose(kind, document, edits, look, page) {
     model.follow(store.get());
     const { coordinate, home } = model;
     if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
-    store.update((state) => withView(state, look(model.sound ? model.summary : null)));
+    store.update((state) => withView(state, look(model.accepted ? model.summary : null)));
   });
 }

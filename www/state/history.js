@@ -1,7 +1,7 @@
 // Undo and redo: a list of earlier mechanisms. A step is what a person regards as one change.
 import { whenReleased } from "assur/core/released.js";
 import { partOf } from "assur/state/drafts.js";
-import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { FURTHER, UNDOABLE_FIELDS, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -158,7 +158,7 @@ export class History {
  */
 function moment(state) {
   const { kind, document, view } = state;
-  return { kind, document, further: furtherOf(state), shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
+  return { kind, document, further: furtherOf(state), shown: Object.fromEntries(UNDOABLE_FIELDS.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -176,5 +176,5 @@ function imagesOf(moments) {
  */
 function same(one, other) {
   const further = FURTHER.every((name) => one.further[name] === other.further[name]);
-  return one.document === other.document && further && UNDONE.every((name) => one.shown[name] === other.shown[name]);
+  return one.document === other.document && further && UNDOABLE_FIELDS.every((name) => one.shown[name] === other.shown[name]);
 }

@@ -87,7 +87,7 @@ export class Model {
   /** @type {State | null} the state that the engine was asked about last */
   #asked = null;
   /** @type {State} */
-  #good;
+  #lastAccepted;
   #revision = 0;
   /** Revision of the mechanism that was drawn last. */
   #placed = 0;
@@ -130,7 +130,7 @@ export class Model {
     this.#frameInput = this.home;
     this.#revision = 1;
     this.#asked = state;
-    this.#good = state;
+    this.#lastAccepted = state;
     this.#place(state);
   }
 
@@ -155,12 +155,12 @@ export class Model {
   }
 
   /** @returns {State} the last state that the engine took */
-  get good() {
-    return this.#good;
+  get lastAccepted() {
+    return this.#lastAccepted;
   }
 
   /** Whether the engine took the state that it was asked about last. */
-  get sound() {
+  get accepted() {
     return this.#refused.length === 0;
   }
 
@@ -170,11 +170,11 @@ export class Model {
    */
   takes(state) {
     this.follow(state);
-    return this.sound;
+    return this.accepted;
   }
 
   /** Whether the state refers to a quantity or a part that the mechanism lacks. */
-  get astray() {
+  get hasDanglingReference() {
     return this.#refused.some(({ code, field }) => code === "unknown_choice" && field !== undefined && Object.hasOwn(PARTS, field));
   }
 
@@ -203,7 +203,7 @@ export class Model {
     if (other) this.#take(state);
     if (other || moved) this.#place(state);
     this.#asked = state;
-    if (this.sound) this.#good = state;
+    if (this.accepted) this.#lastAccepted = state;
   }
 
   /**

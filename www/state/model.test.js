@@ -31,16 +31,16 @@ function begin(id, view = {}) {
 
 test("a length that cannot be assembled leaves the last good drawing, with a message of its name and excess", () => {
   const { now, update, model } = begin("mixer-a");
-  const good = now();
+  const last = now();
   const bad = update((state) => withDocument(state, { l4: 2 }));
-  assert.deepEqual([bad.stale, bad.faded, model.sound], [true, true, false]);
+  assert.deepEqual([bad.stale, bad.faded, model.accepted], [true, true, false]);
   assert.ok(bad.problems.length === 1 && Math.abs(bad.problems[0].by - 0.23) < 1e-9, JSON.stringify(bad.problems));
-  for (const part of ["summary", "scene", "revision", "kind"]) assert.equal(bad[part], good[part], part);
-  for (const part of ["frame", "readouts"]) assert.deepEqual(bad[part], good[part], part);
-  assert.equal(model.good.document.l4, 0.85);
+  for (const part of ["summary", "scene", "revision", "kind"]) assert.equal(bad[part], last[part], part);
+  for (const part of ["frame", "readouts"]) assert.deepEqual(bad[part], last[part], part);
+  assert.equal(model.lastAccepted.document.l4, 0.85);
   const back = update((state) => withDocument(state, { l4: 0.85 }));
   assert.deepEqual([back.stale, back.faded, back.problems], [false, false, []]);
-  assert.deepEqual(back.frame, good.frame);
+  assert.deepEqual(back.frame, last.frame);
 });
 
 test("every bad number of a mixer is a problem of its field, and good ones recover", () => {
@@ -63,13 +63,13 @@ test("every bad number of a mixer is a problem of its field, and good ones recov
 test("an angle without a pose leaves the last drawing, with the angle in the problem, and plots stay", () => {
   const { now, update, model } = begin("mixer-a", { phi_deg: 10 });
   for (const lengths of [{ l1: 0.8 }, { l2: 0.4 }]) update((state) => withDocument(state, lengths));
-  const good = now();
-  assert.deepEqual(good.problems, []);
+  const last = now();
+  assert.deepEqual(last.problems, []);
   const bad = update((state) => withView(state, { phi_deg: 170 }));
   assert.deepEqual([bad.stale, bad.faded, model.placed], [false, true, false]);
   assert.ok(bad.problems.some(({ phi }) => Math.abs(phi - (170 / 180) * Math.PI) < 1e-9), JSON.stringify(bad.problems));
-  assert.equal(bad.frame, good.frame);
-  assert.equal(bad.frameInput, good.frameInput);
+  assert.equal(bad.frame, last.frame);
+  assert.equal(bad.frameInput, last.frameInput);
   assert.equal(bad.readouts, null);
   assert.deepEqual(update((state) => withView(state, { phi_deg: 10 })).problems, []);
 });
@@ -193,7 +193,7 @@ test("any drag of any handle gives a mechanism that the engine takes, or is refu
       const [x, y] = [handles[2 * at] + dice.between(-0.1, 0.1) * (bounds[2] - bounds[0]), handles[2 * at + 1] + dice.between(-0.1, 0.1) * (bounds[3] - bounds[1])];
       change(() => engine.simulator.drag(summary.handles[at].name, inputNow(page), x, y), "drag", page);
       model.follow(store.get());
-      assert.ok(model.sound, JSON.stringify(now().problems));
+      assert.ok(model.accepted, JSON.stringify(now().problems));
       drafts.drop("drag");
     }
   });
@@ -227,16 +227,16 @@ test("what is compared is read at the same input, and only where it changes it i
   assert.equal(update((state) => withFurther(state, { compared: undefined })).compared, null);
 });
 
-test("a plot of what another mechanism has not is said to be astray", () => {
+test("a plot of a quantity that the new mechanism lacks is a dangling reference", () => {
   const { update, model } = begin("jansen", { plot: "F" });
-  assert.equal(model.astray, false);
+  assert.equal(model.hasDanglingReference, false);
   update((state) => withView(state, { plot: "nothing" }));
-  assert.deepEqual([model.astray, model.sound], [true, false]);
+  assert.deepEqual([model.hasDanglingReference, model.accepted], [true, false]);
   update((state) => withView(state, { plot: "angles" }));
-  assert.equal(model.sound, true);
+  assert.equal(model.accepted, true);
 });
 
-test("an engine that broke is replaced by one with the last good state, and says so until it takes another", (t) => {
+test("an engine that broke is replaced by one with the last accepted state, and says so until it takes another", (t) => {
   t.mock.method(console, "error", () => {});
   const { engine, now, update } = begin("jansen");
   const frame = [...now().frame];

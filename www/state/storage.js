@@ -108,12 +108,12 @@ export function takeUpAddress() {
  * Keeps every change in the browser's storage and in the address, but the input of a motion only when the page is left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
- * @param {(state: State) => boolean} sound whether the engine takes the state; a refused state is not kept
+ * @param {(state: State) => boolean} accepts whether the engine takes the state; a refused state is not kept
  * @param {boolean} ours whether the state is kept in the browser's storage; a page in a frame of another page keeps it in the address only
  * @param {(...what: ("picture" | "state" | "lesson" | "tab")[]) => void} unkept called when there is no room for an image, a state or answers in a lesson, and
  * once when another tab keeps its own mechanism instead of this one
  */
-export function persist(store, address, sound, ours, unkept) {
+export function persist(store, address, accepts, ours, unkept) {
   let timer = 0;
   let changed = false;
   let fitted = true;
@@ -124,7 +124,7 @@ export function persist(store, address, sound, ours, unkept) {
     clearTimeout(timer);
     timer = 0;
     const state = store.get();
-    if (!changed || !sound(state)) return;
+    if (!changed || !accepts(state)) return;
     changed = false;
     if (ours) {
       const fits = fit(KEY, toFile(withoutImage(state)));

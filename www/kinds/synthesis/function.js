@@ -43,7 +43,7 @@ export class FunctionView {
 
   /** @param {import("assur/kinds/synthesis/positions.js").Snapshot} snapshot */
   render({ state: { document: { function: wanted } }, summary: { function: error }, words }) {
-    const { document } = this.#model.good;
+    const { document } = this.#model.lastAccepted;
     // If no linkage has been found for this function, the drawn linkage may belong to another function.
     const isDrawn = "function" in document && document.function === wanted;
     if (this.#shown.same(wanted, isDrawn, error, words)) return;
