@@ -5,7 +5,7 @@ import { FURTHER, UNDOABLE_FIELDS, furtherOf, withFurther, withMechanism, withVi
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: State["kind"], document: State["document"], further: import("assur/state/state.js").Further, shown: Partial<State["view"]> }>} Moment
+ * @typedef {Readonly<{ kind: State["kind"], document: State["document"], further: import("assur/state/state.js").Further, shown: Partial<State["view"]> }>} UndoEntry
  * What undo restores. Input, playing, speed and language are not undone, because nothing is lost when they change.
  */
 
@@ -21,9 +21,9 @@ const MAX_STEPS = 1000;
 const IMAGES = 20_000_000;
 
 export class History {
-  /** @type {Moment[]} */
+  /** @type {UndoEntry[]} */
   #past = [];
-  /** @type {Moment[]} */
+  /** @type {UndoEntry[]} */
   #future = [];
   /** Whether the next change belongs to the previous step. */
   #open = false;
@@ -45,8 +45,8 @@ export class History {
     this.#store = store;
     this.#drafts = drafts;
     store.subscribe((state, previous) => {
-      if (this.#walking || same(moment(state), moment(previous))) return;
-      if (!this.#open) this.#add(moment(previous));
+      if (this.#walking || same(entryOf(state), entryOf(previous))) return;
+      if (!this.#open) this.#add(entryOf(previous));
       this.#future = [];
       this.#open = true;
     });
@@ -114,9 +114,9 @@ export class History {
     this.close();
   }
 
-  /** @param {Moment} one moment to return to; beyond a limit, the oldest moments are dropped */
-  #add(one) {
-    this.#past.push(one);
+  /** @param {UndoEntry} entry to return to; beyond a limit, the oldest entries are dropped */
+  #add(entry) {
+    this.#past.push(entry);
     while (this.#past.length > MAX_STEPS || imagesOf(this.#past) > IMAGES) this.#past.shift();
   }
 
@@ -133,15 +133,15 @@ export class History {
   }
 
   /**
-   * @param {Moment[]} from
-   * @param {Moment[]} to
+   * @param {UndoEntry[]} from
+   * @param {UndoEntry[]} to
    */
   #walk(from, to) {
     this.close();
     const next = from.pop();
     if (!next) return;
     const state = this.#store.get();
-    to.push(moment(state));
+    to.push(entryOf(state));
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
@@ -154,25 +154,25 @@ export class History {
 
 /**
  * @param {State} state
- * @returns {Moment}
+ * @returns {UndoEntry}
  */
-function moment(state) {
+function entryOf(state) {
   const { kind, document, view } = state;
   return { kind, document, further: furtherOf(state), shown: Object.fromEntries(UNDOABLE_FIELDS.map((name) => [name, view[name]])) };
 }
 
 /**
- * @param {readonly Moment[]} moments
- * @returns {number} total length of the images in the moments, in characters; equal images count once
+ * @param {readonly UndoEntry[]} entries
+ * @returns {number} total length of the images in the entries, in characters; equal images count once
  */
-function imagesOf(moments) {
-  const images = new Set(moments.map(({ further }) => further.picture?.image ?? ""));
+function imagesOf(entries) {
+  const images = new Set(entries.map(({ further }) => further.picture?.image ?? ""));
   return [...images].reduce((sum, { length }) => sum + length, 0);
 }
 
 /**
- * @param {Moment} one
- * @param {Moment} other
+ * @param {UndoEntry} one
+ * @param {UndoEntry} other
  */
 function same(one, other) {
   const further = FURTHER.every((name) => one.further[name] === other.further[name]);

@@ -207,8 +207,8 @@ test("random edits: undone one by one they are the states before, redone the sta
       (state) => withView(state, { measures: [`${dice.below(3)}-B.distance`] }),
       (state) => withFurther(state, { lesson: dice.one(lessons) }),
     ];
-    // A model of what a history is: all moments, and which one is shown.
-    const moments = [undone(store.get())];
+    // A model of what a history is: all entries, and which one is shown.
+    const entries = [undone(store.get())];
     let at = 0;
     for (let step = 0; step < 80; step++) {
       const choice = dice.below(10);
@@ -217,15 +217,15 @@ test("random edits: undone one by one they are the states before, redone the sta
         at = Math.max(at - 1, 0);
       } else if (choice < 4) {
         history.redo();
-        at = Math.min(at + 1, moments.length - 1);
+        at = Math.min(at + 1, entries.length - 1);
       } else {
         history.step(() => store.update(dice.one(edits)));
         const now = undone(store.get());
         // What changes nothing is no step, and leaves what can be redone.
-        if (now !== moments[at]) moments.splice(++at, Infinity, now);
+        if (now !== entries[at]) entries.splice(++at, Infinity, now);
       }
-      assert.equal(undone(store.get()), moments[at]);
-      assert.deepEqual([history.canUndo, history.canRedo], [at > 0, at < moments.length - 1]);
+      assert.equal(undone(store.get()), entries[at]);
+      assert.deepEqual([history.canUndo, history.canRedo], [at > 0, at < entries.length - 1]);
     }
   });
 });
