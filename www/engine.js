@@ -14,7 +14,7 @@ import * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/types/web.js").Summaries} Summaries
- * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} Placed
+ * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} PoseData
  * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
  */
 
@@ -122,7 +122,7 @@ export class Engine {
   /**
    * All values at an input, computed from one pose.
    * @param {number} input
-   * @returns {Placed}
+   * @returns {PoseData}
    */
   at(input) {
     const { frame, handles, readouts, plotted } = this.simulator.at(input);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import "assur/tests/window.js";
-import { placed } from "assur/state/player.js";
+import { stoppedAt } from "assur/state/player.js";
 import { Address } from "assur/state/address.js";
 import { withDocument, withFurther, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
@@ -24,7 +24,7 @@ const { SPEEDS } = await import("assur/controls/transport.js");
 /** @param {string} id */
 function begin(id, view = {}) {
   const page = new Page(id, view);
-  page.drive = (place) => page.store.update((state) => placed(state, place, page.model));
+  page.drive = (place) => page.store.update((state) => stoppedAt(state, place, page.model));
   page.step = (count) => page.drive(page.model.coordinate.of(page.store.get()) + count * page.model.coordinate.step);
   page.address = new Address(page.engine, "en");
   page.notices = { told: [], tell: (lines) => (page.notices.told = lines.map((line) => lineOf(line, wordsOf("en")))) };

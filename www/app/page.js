@@ -22,7 +22,7 @@ import { choose } from "assur/state/change.js";
 import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
-import { Player, placed } from "assur/state/player.js";
+import { Player, stoppedAt } from "assur/state/player.js";
 import { PARTS, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
@@ -198,7 +198,7 @@ export class Page {
    */
   drive(place) {
     this.drafts.drop(INPUT);
-    this.store.update((state) => placed(state, place, this.model));
+    this.store.update((state) => stoppedAt(state, place, this.model));
   }
 
   /**
@@ -245,9 +245,9 @@ export class Page {
     }
     const state = this.store.get();
     this.#say(this.words);
-    const legible = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
-    if (legible) this.#unwritten = 0;
+    const numbersDue = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
+    if (numbersDue) this.#unwritten = 0;
     this.theme.project(state.view.projector);
-    this.#views.render(this.model.snapshot(state, this.words, legible));
+    this.#views.render(this.model.snapshot(state, this.words, numbersDue));
   }
 }

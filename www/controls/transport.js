@@ -4,7 +4,7 @@ import { Scrubber } from "assur/controls/scrubber.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { readable } from "assur/core/numbers.js";
 import { INPUT } from "assur/state/drafts.js";
-import { placed, turned } from "assur/state/player.js";
+import { stoppedAt, turned } from "assur/state/player.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -54,7 +54,7 @@ export class Transport {
     this.#steps.forEach(({ button, sense }) => button.addEventListener("click", () => page.step(sense)));
     this.#scrubber.addEventListener("input", () => page.drive(Number(this.#scrubber.value)));
     this.#box = new NumberBox(byId("angle", HTMLInputElement), INPUT, drafts, (value) => {
-      store.update((state) => placed(state, value, model));
+      store.update((state) => stoppedAt(state, value, model));
       return model.coordinate.of(store.get());
     });
     for (const speed of [...SPEEDS, TRUE_TIME]) this.#speed.append(make("option", { value: String(speed) }));
@@ -67,13 +67,13 @@ export class Transport {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, coordinate, place, words, legible } = snapshot;
+    const { summary, coordinate, place, words, numbersDue } = snapshot;
     if (this.#lang !== words.lang) this.#translate(words);
     if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
     const { start, end } = coordinate.axis(place);
     if (this.#cycle !== summary.cycle || this.#start !== start) this.#fit(snapshot, start);
     this.#bar.show(Math.min(Math.max((place - start) / (end - start), 0), 1), this.#arcs);
-    if (legible) this.#write(snapshot);
+    if (numbersDue) this.#write(snapshot);
   }
 
   /** @param {Snapshot} snapshot */

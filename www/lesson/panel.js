@@ -187,7 +187,7 @@ export class LessonPanel {
     const outdated = judged !== undefined && judged.document !== snapshot.state.document;
     if (outdated) this.#judged.delete(step.id);
     if (!this.#shown.same(number, this.#words)) this.#write(number);
-    if (snapshot.legible) {
+    if (snapshot.numbersDue) {
       this.#tools.render();
       this.#paper?.render(snapshot);
       this.#figure?.render(snapshot, this.#words);

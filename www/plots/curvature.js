@@ -33,8 +33,8 @@ export class Curvature {
   }
 
   /** @param {import("assur/state/model.js").Snapshot} snapshot */
-  render({ state, summary, frameInput, readouts, words, stale, legible }) {
-    if (stale || !legible) return;
+  render({ state, summary, frameInput, readouts, words, stale, numbersDue }) {
+    if (stale || !numbersDue) return;
     const on = state.view.curvature && "points" in summary;
     if (this.#shown.same(on, readouts, words)) return;
     if (!on) {

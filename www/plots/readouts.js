@@ -37,9 +37,9 @@ export class ReadoutTable {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, readouts, coordinate, place, words, stale, legible, withheld, compares } = snapshot;
+    const { state, summary, readouts, coordinate, place, words, stale, numbersDue, withheld, compares } = snapshot;
     setData(this.#table, "faded", String(stale));
-    if (!legible) return;
+    if (!numbersDue) return;
     if (!this.#built.same(summary, words, state.view.axes, compares)) this.#build(snapshot);
     write(this.#input, coordinate.written(place, words, state.view.playing ? 1 : 3));
     this.#input.dataset.value = String(place);

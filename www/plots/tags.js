@@ -68,11 +68,11 @@ function aside({ middles, widths, tall, room, labels }, lefts) {
   const down = own.reduce((/** @type {number[]} */ tops, _, i) => [...tops, free(i, i > 0 ? tops[i - 1] + tall + APART : room.top)], []);
   const up = own.reduceRight((/** @type {number[]} */ tops, _, i) => [free(i, room.top, tops.length > 0 ? tops[0] - APART : room.bottom), ...tops], []);
   const ways = [apart(own), apart(own.map((_, i) => free(i))), apart(down), apart(up)];
-  const placed = ways.map((tops) => {
+  const candidates = ways.map((tops) => {
     const boxes = tops.map((top, i) => at(i, top));
     return { boxes, covered: boxes.filter((tag) => !isFree(tag, labels)).length };
   });
-  return cheapest(placed, ({ covered }) => covered);
+  return cheapest(candidates, ({ covered }) => covered);
 }
 
 /**

@@ -75,7 +75,7 @@ export class Polygons {
     this.#none.hidden = this.#here !== null;
     this.#drawn.hidden = this.#here === null;
     if (!this.#here) return;
-    if (snapshot.legible) this.#tell(this.#here, snapshot);
+    if (snapshot.numbersDue) this.#tell(this.#here, snapshot);
     this.#sheets.forEach((_, order) => this.#paint(order));
   }
 

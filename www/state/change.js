@@ -87,7 +87,7 @@ export function choose(kind, document, edits, look, page) {
     // The previous input may lie outside the range of the new driver.
     model.follow(store.get());
     const { coordinate, home } = model;
-    if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
+    if (!model.hasPose) store.update((state) => coordinate.put(state, coordinate.place(home)));
     store.update((state) => withView(state, look(model.accepted ? model.summary : null)));
   });
 }

@@ -3,7 +3,7 @@ import test from "node:test";
 import { change, inputNow, take } from "assur/state/change.js";
 import { Drafts, INPUT } from "assur/state/drafts.js";
 import { Model } from "assur/state/model.js";
-import { Player, placed, turned } from "assur/state/player.js";
+import { Player, stoppedAt, turned } from "assur/state/player.js";
 import { Store } from "assur/state/store.js";
 import { withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
@@ -66,7 +66,7 @@ test("an angle without a pose leaves the last drawing, with the angle in the pro
   const last = now();
   assert.deepEqual(last.problems, []);
   const bad = update((state) => withView(state, { phi_deg: 170 }));
-  assert.deepEqual([bad.stale, bad.faded, model.placed], [false, true, false]);
+  assert.deepEqual([bad.stale, bad.faded, model.hasPose], [false, true, false]);
   assert.ok(bad.problems.some(({ phi }) => Math.abs(phi - (170 / 180) * Math.PI) < 1e-9), JSON.stringify(bad.problems));
   assert.equal(bad.frame, last.frame);
   assert.equal(bad.frameInput, last.frameInput);
@@ -150,7 +150,7 @@ test("a crank that is played turns by its speed and its direction, and stands st
   const rest = withView(store.get(), { playing: false });
   assert.equal(player.played(rest, 1, engine, model), rest);
   assert.deepEqual([turned(1), turned(-1)], [-1, 1]);
-  const { view } = placed(store.get(), 725, model);
+  const { view } = stoppedAt(store.get(), 725, model);
   assert.deepEqual([view.phi_deg, view.playing], [5, false]);
 });
 
@@ -160,7 +160,7 @@ test("where nothing can be assembled a motion goes on from home", () => {
   update((state) => withView(state, { phi_deg: 170, playing: true }));
   const next = new Player().played(store.get(), 0.01, engine, model);
   model.follow(next);
-  assert.ok(model.placed, String(next.view.phi_deg));
+  assert.ok(model.hasPose, String(next.view.phi_deg));
 });
 
 test("what the engine changes of a document is taken, with the place of the input that goes with it", () => {

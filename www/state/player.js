@@ -30,7 +30,7 @@ export class Player {
     if (!view.playing) return state;
     // If the mechanism cannot be assembled at this input, the motion starts at the drawn input.
     const { coordinate } = model;
-    const from = model.placed ? coordinate.input(coordinate.of(state)) : model.home;
+    const from = model.hasPose ? coordinate.input(coordinate.of(state)) : model.home;
     const { value: moved } = attempt(() => engine.simulator.advance(from, this.#sense * view.direction * coordinate.pace(view) * dt));
     if (!moved) return withView(state, { playing: false });
     const [input, sense] = moved;
@@ -46,7 +46,7 @@ export class Player {
  * @param {Model} model
  * @returns {State}
  */
-export function placed(state, place, model) {
+export function stoppedAt(state, place, model) {
   return withView(model.coordinate.put(state, place), { playing: false });
 }
 

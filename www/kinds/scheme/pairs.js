@@ -113,7 +113,7 @@ export class PairsView {
       const field = `pairs[${index}].${part}.${axis}`;
       const input = numberField({ id: `pair-${part}-${axis}-${n}`, "data-t-label": label, "data-n": n });
       const box = new NumberBox(input, field, drafts, (value) => (
-        this.#put(index, (pair) => ({ ...pair, [part]: placed(pair[part], k, value, part === "at" && this.#planar.checked) }))
+        this.#put(index, (pair) => ({ ...pair, [part]: withCoordinate(pair[part], k, value, part === "at" && this.#planar.checked) }))
       ));
       return { part, k, box, field, element: make("label", { class: "pair-number" }, [make("b", {}, [axis]), input]) };
     }));
@@ -215,7 +215,7 @@ function shaped({ name, links, at }, kind) {
  * @param {number} value
  * @param {boolean} flat whether only x and y are kept
  */
-function placed(before, k, value, flat) {
+function withCoordinate(before, k, value, flat) {
   const numbers = [0, 0, 0].map((zero, i) => (i === k ? value : (before?.[i] ?? zero)));
   return /** @type {[number, number, number]} */ (flat ? numbers.slice(0, 2) : numbers);
 }
