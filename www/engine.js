@@ -7,7 +7,7 @@ import { withAssembled } from "assur/state/assembled.js";
 import { Catalogue } from "assur/state/catalogue.js";
 import { Compared, discard } from "assur/state/compared.js";
 import { Names, byName } from "assur/state/readouts.js";
-import { alone } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 import * as module from "assur/pkg/assur_web.js";
 
 /**
@@ -57,7 +57,7 @@ export class Engine {
   set(state) {
     const summary = this.ask(() => {
       const simulator = this.#simulator;
-      const taken = simulator.set(alone(state));
+      const taken = simulator.set(withoutExtras(state));
       this.names = this.names.updated(simulator.readoutNames());
       this.labels = simulator.labelNames();
       this.lengths = simulator.lengths();
@@ -181,7 +181,7 @@ export class Engine {
     const state = this.#lastAccepted;
     if (!state) return;
     try {
-      this.#simulator.set(alone(state));
+      this.#simulator.set(withoutExtras(state));
     } catch (thrown) {
       console.error(thrown);
       this.#lastAccepted = null;

@@ -8,7 +8,7 @@ import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
-import { furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -34,7 +34,7 @@ export function commands(page) {
 function fileCommands(page) {
   const { engine, model, notices, store } = page;
   // The last document that the engine accepted, with the current lesson, comparison and picture.
-  const now = () => withFurther(model.lastAccepted, furtherOf(store.get()));
+  const now = () => withExtras(model.lastAccepted, extrasOf(store.get()));
   const copy = async () => {
     const { link, copied } = await copyLink(now(), page.address);
     /** @type {readonly import("assur/app/notices.js").Done[]} */

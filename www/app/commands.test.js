@@ -5,7 +5,7 @@ import test from "node:test";
 import "assur/tests/window.js";
 import { stoppedAt } from "assur/state/player.js";
 import { Address } from "assur/state/address.js";
-import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { wordsOf } from "assur/tests/words.js";
 
@@ -146,7 +146,7 @@ test("a copied link is said; that a long one may be cut on its way is said besid
   };
   const cut = "The link is long: messengers and mail programs may cut it. Save a file and send that instead.";
   assert.deepEqual(await copy(), ["Link copied."]);
-  const lesson = (letters) => page.store.update((state) => withFurther(state, { lesson: { title: "x".repeat(letters), steps: [] } }));
+  const lesson = (letters) => page.store.update((state) => withExtras(state, { lesson: { title: "x".repeat(letters), steps: [] } }));
   lesson(0);
   lesson(7999 - page.address.link(page.store.get()).length);
   assert.deepEqual([await copy(), clipboard.text.length], [["Link copied."], 7999]);

@@ -6,7 +6,7 @@ import { attempt } from "assur/core/problem.js";
 import { called } from "assur/core/names.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { Words } from "assur/core/words.js";
-import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
 
@@ -113,7 +113,7 @@ test("what is wrong with a lesson is said by its place and its step", () => {
   ]) {
     const lesson = structuredClone(good);
     change(lesson);
-    const { problems } = attempt(() => page.engine.read(withFurther(page.store.get(), { lesson })));
+    const { problems } = attempt(() => page.engine.read(withExtras(page.store.get(), { lesson })));
     const text = problems.map((problem) => sentence(problem, en)).join(" ");
     assert.ok(text.includes(part), text);
   }

@@ -2,7 +2,7 @@
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";
-import { withFurther } from "assur/state/state.js";
+import { withExtras } from "assur/state/state.js";
 
 /**
  * @typedef {readonly [number, number]} Place in the model, or on the picture in pixels
@@ -203,6 +203,6 @@ export class BackPicture {
 
   /** @param {Picture | undefined} picture */
   #set(picture) {
-    this.#page.store.update((state) => withFurther(state, { picture: picture && Object.freeze(picture) }));
+    this.#page.store.update((state) => withExtras(state, { picture: picture && Object.freeze(picture) }));
   }
 }

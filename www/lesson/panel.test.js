@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
 import { LessonPanel } from "assur/lesson/panel.js";
 import { WrittenLesson } from "assur/lesson/written.js";
-import { withFurther, withView } from "assur/state/state.js";
+import { withExtras, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { wordsOf } from "assur/tests/words.js";
 
@@ -35,7 +35,7 @@ function begin(question, vary = []) {
   page.redraw = () => {};
   const { kind, document: shown } = page.engine.catalogue.preset("mixer-a");
   const lesson = { title: "Own", steps: [{ title: "", text: "", shows: { kind, document: shown, view: { phi_deg: 30 }, vary }, question: { text: "?", ...question } }] };
-  page.store.update((state) => withView(withFurther(state, { lesson }), { lesson: { id: "own", step: 1 } }));
+  page.store.update((state) => withView(withExtras(state, { lesson }), { lesson: { id: "own", step: 1 } }));
   const place = new HTMLElement();
   const panel = new LessonPanel(place, page, new WrittenLesson(lesson, page, words), words);
   const render = () => panel.render(page.model.snapshot(page.store.get(), words, true));

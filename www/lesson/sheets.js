@@ -12,7 +12,7 @@ import { quantityName, tellers, toleranceOf, unitIn, withTolerance } from "assur
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
 import { byName } from "assur/state/readouts.js";
-import { alone } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -130,7 +130,7 @@ function seenOf(task, number, engine) {
  */
 function seenIn(state, place, engine) {
   return engine.beside((other) => {
-    const summary = other.set(alone(state));
+    const summary = other.set(withoutExtras(state));
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
     const frameInput = coordinate ? coordinate.input(place ?? coordinate.of(state)) : 0;
     const { frame, readouts: values } = other.at(frameInput);

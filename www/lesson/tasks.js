@@ -6,7 +6,7 @@ import { withNumber } from "assur/lesson/field.js";
 import { W, isAngle } from "assur/lesson/quantity.js";
 import { Coordinate } from "assur/state/coordinate.js";
 import { byName } from "assur/state/readouts.js";
-import { alone, initialState, withDocument } from "assur/state/state.js";
+import { initialState, withDocument, withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -55,7 +55,7 @@ export function taskOf(lesson, index, name, engine) {
   const state = initialState(kind, document, { ...RESTING, ...view });
   if (vary.length === 0 || name.trim() === "") return { state, own: [] };
   const next = ownNumbers(name, at);
-  const followed = new Set((attempt(() => engine.functions.numbersOf(alone(state))).value ?? []).filter((one) => one.followed).map(({ field }) => field));
+  const followed = new Set((attempt(() => engine.functions.numbersOf(withoutExtras(state))).value ?? []).filter((one) => one.followed).map(({ field }) => field));
   return engine.beside((other) => {
     for (let tries = 0; tries < TRIES; tries++) {
       const own = vary.map((range) => ({ field: range.field, value: valueIn(range, next()) }));

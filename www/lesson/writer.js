@@ -12,7 +12,7 @@ import "assur/lesson/style.js";
 import { Varying } from "assur/lesson/varying.js";
 import { WRITTEN_HERE, digestOf } from "assur/lesson/verdict.js";
 import { openShown } from "assur/lesson/written.js";
-import { withFurther, withView } from "assur/state/state.js";
+import { withExtras, withView } from "assur/state/state.js";
 import { keep } from "assur/state/storage.js";
 
 /**
@@ -163,7 +163,7 @@ export class Writer {
     const { problems } = attempt(() => engine.functions.readLesson(next));
     write(this.#said, problems.map((problem) => sentence(problem, this.#words)).join(" "));
     if (problems.length > 0) return false;
-    store.update((now) => withFurther(now, { lesson: next }));
+    store.update((now) => withExtras(now, { lesson: next }));
     keep(WRITTEN_HERE, digestOf(next, engine));
     return true;
   }

@@ -1,6 +1,6 @@
 // Changes made by the engine and their transfer to the state: fields of the document, and the input.
 import { attempt } from "assur/core/problem.js";
-import { PARTS, edited, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { PARTS, edited, withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -78,7 +78,7 @@ export function inputNow({ store, model }) {
 export function choose(kind, document, edits, look, page) {
   const { store, model, history, mechanism } = page;
   history.step(() => {
-    store.update((state) => withView(withFurther(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
+    store.update((state) => withView(withExtras(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
     mechanism.fit();
     for (const { asked, field } of edits) {
       model.follow(store.get());

@@ -1,11 +1,11 @@
 // Undo and redo: a list of earlier mechanisms. A step is what a person regards as one change.
 import { whenReleased } from "assur/core/released.js";
 import { partOf } from "assur/state/drafts.js";
-import { FURTHER, UNDOABLE_FIELDS, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { EXTRAS, UNDOABLE_FIELDS, extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: State["kind"], document: State["document"], further: import("assur/state/state.js").Further, shown: Partial<State["view"]> }>} UndoEntry
+ * @typedef {Readonly<{ kind: State["kind"], document: State["document"], extras: import("assur/state/state.js").Extras, shown: Partial<State["view"]> }>} UndoEntry
  * What undo restores. Input, playing, speed and language are not undone, because nothing is lost when they change.
  */
 
@@ -145,7 +145,7 @@ export class History {
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
-      this.#store.update((now) => withView(withFurther(withMechanism(now, next.kind, next.document), next.further), next.shown));
+      this.#store.update((now) => withView(withExtras(withMechanism(now, next.kind, next.document), next.extras), next.shown));
     } finally {
       this.#walking = false;
     }
@@ -158,7 +158,7 @@ export class History {
  */
 function entryOf(state) {
   const { kind, document, view } = state;
-  return { kind, document, further: furtherOf(state), shown: Object.fromEntries(UNDOABLE_FIELDS.map((name) => [name, view[name]])) };
+  return { kind, document, extras: extrasOf(state), shown: Object.fromEntries(UNDOABLE_FIELDS.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -166,7 +166,7 @@ function entryOf(state) {
  * @returns {number} total length of the images in the entries, in characters; equal images count once
  */
 function imagesOf(entries) {
-  const images = new Set(entries.map(({ further }) => further.picture?.image ?? ""));
+  const images = new Set(entries.map(({ extras }) => extras.picture?.image ?? ""));
   return [...images].reduce((sum, { length }) => sum + length, 0);
 }
 
@@ -175,6 +175,6 @@ function imagesOf(entries) {
  * @param {UndoEntry} other
  */
 function same(one, other) {
-  const further = FURTHER.every((name) => one.further[name] === other.further[name]);
-  return one.document === other.document && further && UNDOABLE_FIELDS.every((name) => one.shown[name] === other.shown[name]);
+  const extras = EXTRAS.every((name) => one.extras[name] === other.extras[name]);
+  return one.document === other.document && extras && UNDOABLE_FIELDS.every((name) => one.shown[name] === other.shown[name]);
 }

@@ -5,7 +5,7 @@ import { Drafts, INPUT } from "assur/state/drafts.js";
 import { Model } from "assur/state/model.js";
 import { Player, stoppedAt, turned } from "assur/state/player.js";
 import { Store } from "assur/state/store.js";
-import { withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 import { often } from "assur/tests/random.js";
 import { wordsOf } from "assur/tests/words.js";
@@ -203,7 +203,7 @@ test("what is compared is read at the same input, and only where it changes it i
   const { engine, update, now } = begin("mixer-a");
   const { document } = now().state;
   const compared = { kind: "mixer", document };
-  const beside = update((state) => withFurther(state, { compared }));
+  const beside = update((state) => withExtras(state, { compared }));
   assert.equal(beside.compares, true);
   assert.deepEqual(beside.compared.readouts, beside.readouts);
   // By the same axes, with the same rates of the driver, and what is measured of both.
@@ -218,13 +218,13 @@ test("what is compared is read at the same input, and only where it changes it i
   assert.notEqual(turned.compared.readouts["rocker.angle"], other.compared.readouts["rocker.angle"]);
   // The drawing has room for both.
   const { kind, document: jansen } = engine.catalogue.preset("jansen");
-  const large = update((state) => withFurther(state, { compared: { kind, document: jansen } }));
+  const large = update((state) => withExtras(state, { compared: { kind, document: jansen } }));
   assert.ok(large.summary.bounds[2] - large.summary.bounds[0] > 10);
   // What goes by another sort of input is not shown beside it.
   const train = engine.catalogue.preset("train-gears");
-  const none = update((state) => withFurther(state, { compared: { kind: train.kind, document: train.document } }));
+  const none = update((state) => withExtras(state, { compared: { kind: train.kind, document: train.document } }));
   assert.deepEqual([none.compares, none.compared], [false, null]);
-  assert.equal(update((state) => withFurther(state, { compared: undefined })).compared, null);
+  assert.equal(update((state) => withExtras(state, { compared: undefined })).compared, null);
 });
 
 test("a plot of a quantity that the new mechanism lacks is a dangling reference", () => {

@@ -1,6 +1,6 @@
 // Places where the state outlives the page: the address and the browser's storage. The page also works without them.
 import { toFile } from "assur/state/codec.js";
-import { withFurther } from "assur/state/state.js";
+import { withExtras } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
@@ -220,7 +220,7 @@ function signOf(image) {
  */
 function withoutImage(state) {
   const { picture } = state;
-  return picture ? withFurther(state, { picture: { ...picture, image: signOf(picture.image) } }) : state;
+  return picture ? withExtras(state, { picture: { ...picture, image: signOf(picture.image) } }) : state;
 }
 
 /**
