@@ -30,8 +30,8 @@ export function snapshotOf(engine, state, words = wordsOf(state.view.lang)) {
  * @param {import("assur/state/model.js").AnySnapshot} snapshot
  * @returns {Record<string, number>} values by the ids of their read-outs, after `out-`
  */
-export function readoutsOf({ summary, place, readouts, words }) {
-  const shown = { input: place };
+export function readoutsOf({ summary, inputShown, readouts, words }) {
+  const shown = { input: inputShown };
   for (const { name, what } of summary.listed ?? []) {
     for (const [order, stroke] of STROKES.entries()) {
       const value = readouts?.[name + stroke];

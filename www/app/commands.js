@@ -97,7 +97,7 @@ function motionCommands(page) {
     if (state.document !== previous.document) note(state);
   });
 
-  const place = () => model.coordinate.of(store.get());
+  const inputShown = () => model.coordinate.of(store.get());
   return {
     play: () => {
       drafts.drop(INPUT);
@@ -108,8 +108,8 @@ function motionCommands(page) {
     forward: () => page.step(1),
     back10: () => page.step(-10),
     forward10: () => page.step(10),
-    start: () => page.drive(model.coordinate.axis(place()).start),
-    end: () => page.drive(model.coordinate.last(place())),
+    start: () => page.drive(model.coordinate.axis(inputShown()).start),
+    end: () => page.drive(model.coordinate.last(inputShown())),
     faster: () => hasten(1),
     slower: () => hasten(-1),
     assembly1: () => assemble(1),

@@ -24,7 +24,7 @@ const { SPEEDS } = await import("assur/controls/transport.js");
 /** @param {string} id */
 function begin(id, view = {}) {
   const page = new Page(id, view);
-  page.drive = (place) => page.store.update((state) => stoppedAt(state, place, page.model));
+  page.drive = (inputShown) => page.store.update((state) => stoppedAt(state, inputShown, page.model));
   page.step = (count) => page.drive(page.model.coordinate.of(page.store.get()) + count * page.model.coordinate.step);
   page.address = new Address(page.engine, "en");
   page.notices = { told: [], tell: (lines) => (page.notices.told = lines.map((line) => lineOf(line, wordsOf("en")))) };

@@ -43,9 +43,9 @@ export class Description {
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render(snapshot) {
-    const { state, words, revision, problems, place, withheld } = snapshot;
+    const { state, words, revision, problems, inputShown, withheld } = snapshot;
     const { playing } = state.view;
-    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, withheld, ...problems.map(({ code }) => code))) return;
+    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || inputShown, withheld, ...problems.map(({ code }) => code))) return;
     clearTimeout(this.#timer);
     if (playing || !moves(snapshot)) this.#fallSilent(snapshot);
     if (moves(snapshot)) this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
@@ -64,14 +64,14 @@ export class Description {
 
   /** @param {Snapshot} snapshot */
   #tell(snapshot) {
-    const { state, words, revision, problems, place } = snapshot;
+    const { state, words, revision, problems, inputShown } = snapshot;
     write(this.#plots, plots(snapshot, this.#chart));
     if (state.view.playing) return;
     // Problems are announced by an element of their own as they arise; here they replace the description.
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
-    const moved = !this.#told.same(place, revision, words.lang);
+    const moved = !this.#told.same(inputShown, revision, words.lang);
     if (this.#asked && !failed && moved) write(this.#now, [pose(snapshot), ...here].join(" "));
     this.#asked = true;
   }
@@ -146,11 +146,11 @@ function drawing(snapshot) {
  */
 function positions({ summary, coordinate, input, words }) {
   const limits = summary.outputs[0]?.limits ?? [];
-  const [limit, dead] = [limits, summary.dead_points].map((places) => places.map((one) => one.input));
+  const [limit, dead] = [limits, summary.dead_points].map((positions) => positions.map((one) => one.input));
   /** @type {[string, number[]][]} */
   const kinds = [["limit", limit], ["dead", dead], ["change", summary.change_points]];
-  return kinds.flatMap(([kind, places]) => {
-    const here = places.find((place) => coordinate.near(place, input));
+  return kinds.flatMap(([kind, inputs]) => {
+    const here = inputs.find((one) => coordinate.near(one, input));
     return here === undefined ? [] : [words.text(`told.${kind}`, { angle: coordinate.text(here, words, 1) })];
   });
 }
@@ -161,9 +161,9 @@ function positions({ summary, coordinate, input, words }) {
  */
 function plots(snapshot, { panels, against }) {
   if (against) return described(against, snapshot);
-  const { summary: { listed, unsearched }, coordinate, place, words } = snapshot;
+  const { summary: { listed, unsearched }, coordinate, inputShown, words } = snapshot;
   const { x0, x1 } = panels[0] ?? {};
-  const ends = x0 === undefined ? Object.values(coordinate.axis(place)) : [x0, x1].map((input) => coordinate.place(input));
+  const ends = x0 === undefined ? Object.values(coordinate.axis(inputShown)) : [x0, x1].map((input) => coordinate.inputShown(input));
   const [from, to] = ends.map((end) => coordinate.written(end, words, 1));
   const axis = words.text(`told.axis.${coordinate.moves}`, { from, to });
   const told = panels.map((panel) => {

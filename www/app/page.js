@@ -194,11 +194,11 @@ export class Page {
 
   /**
    * Sets the driver to a position chosen by the reader, and stops the motion there.
-   * @param {number} place of the driver, in the reader's unit
+   * @param {number} inputShown of the driver, in the reader's unit
    */
-  drive(place) {
+  drive(inputShown) {
     this.drafts.drop(INPUT);
-    this.store.update((state) => stoppedAt(state, place, this.model));
+    this.store.update((state) => stoppedAt(state, inputShown, this.model));
   }
 
   /**

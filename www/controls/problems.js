@@ -96,7 +96,7 @@ function ofLink({ name, points }, dimension, places, words) {
  * @param {Problem} problem
  * @param {Words} words
  * @param {Document} [document]
- * @param {(place: number) => number} [onto] maps an angle in degrees to the range that the reader sees
+ * @param {(angle: number) => number} [onto] maps an angle in degrees to the range that the reader sees
  * @returns {string}
  */
 export function sentence(problem, words, document, onto) {
@@ -128,9 +128,9 @@ export function lossOf(loss, words) {
  * @param {Problem} problem
  * @param {Words} words
  * @param {Document} [document]
- * @param {(place: number) => number} [onto]
+ * @param {(angle: number) => number} [onto]
  */
-function said(key, problem, words, document, onto = (place) => place) {
+function said(key, problem, words, document, onto = (angle) => angle) {
   if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
   /** @type {Record<string, string>} */
   const places = {};
@@ -152,7 +152,7 @@ export class ProblemView {
 
   /** @param {Snapshot} snapshot */
   render({ problems, words, state, coordinate }) {
-    const onto = (/** @type {number} */ place) => (coordinate.moves === "angle" ? coordinate.onto(place) : place);
+    const onto = (/** @type {number} */ angle) => (coordinate.moves === "angle" ? coordinate.onto(angle) : angle);
     const sentences = problems.map((problem) => sentence(problem, words, state.document, onto));
     if (sentences.length > 1) sentences.unshift(words.counted("problems.count", sentences.length));
     const shown = sentences.join("\n");

@@ -67,23 +67,23 @@ export class Transport {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, coordinate, place, words, numbersDue } = snapshot;
+    const { summary, coordinate, inputShown, words, numbersDue } = snapshot;
     if (this.#lang !== words.lang) this.#translate(words);
     if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
-    const { start, end } = coordinate.axis(place);
+    const { start, end } = coordinate.axis(inputShown);
     if (this.#cycle !== summary.cycle || this.#start !== start) this.#fit(snapshot, start);
-    this.#bar.show(Math.min(Math.max((place - start) / (end - start), 0), 1), this.#arcs);
+    this.#bar.show(Math.min(Math.max((inputShown - start) / (end - start), 0), 1), this.#arcs);
     if (numbersDue) this.#write(snapshot);
   }
 
   /** @param {Snapshot} snapshot */
-  #write({ state, words, coordinate, place, stale, faded }) {
+  #write({ state, words, coordinate, inputShown, stale, faded }) {
     const { playing } = state.view;
-    const brief = coordinate.written(place, words, readable(3, playing));
-    this.#scrubber.value = String(place);
+    const brief = coordinate.written(inputShown, words, readable(3, playing));
+    this.#scrubber.value = String(inputShown);
     if (!playing) this.#scrubber.setAttribute("aria-valuetext", brief);
     if (playing && this.#box.busy) return;
-    this.#box.show(place, { brief, full: coordinate.exact(place, words) }, faded && !stale);
+    this.#box.show(inputShown, { brief, full: coordinate.exact(inputShown, words) }, faded && !stale);
   }
 
   /**

@@ -37,7 +37,7 @@ export function edit(page, wanted) {
     model.follow(store.get());
   }
   // The edited pose is now the drawn pose. The driver goes to the drawn input.
-  if (model.accepted && model.summary.moves) store.update((state) => model.coordinate.put(state, model.coordinate.place(model.home)));
+  if (model.accepted && model.summary.moves) store.update((state) => model.coordinate.put(state, model.coordinate.inputShown(model.home)));
   return drawn;
 }
 

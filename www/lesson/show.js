@@ -84,7 +84,7 @@ function looked({ play = false, overlays = ["traces"], plot = "angles", at }, su
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
-  const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
+  const driven = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.inputShown(input) };
   // The texts of steps describe plots of analogues, whatever the reader chose before.
-  return { ...shown, plot, axes: "analogues", ...place, playing: play };
+  return { ...shown, plot, axes: "analogues", ...driven, playing: play };
 }

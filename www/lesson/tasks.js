@@ -111,21 +111,21 @@ export function answerOf(lesson, index, name, engine) {
   if (!task || !quantity) return null;
   return engine.beside((other) => attempt(() => {
     const summary = other.set(task.state);
-    if (summary.moves === null) return valueOf(quantity, { summary, place: 0, readouts: null });
+    if (summary.moves === null) return valueOf(quantity, { summary, inputShown: 0, readouts: null });
     const coordinate = coordinateOf(summary);
-    const place = at ?? coordinate.of(task.state);
-    return valueOf(quantity, { summary, place, readouts: byName(other.readoutNames(), other.at(coordinate.input(place)).readouts) });
+    const inputShown = at ?? coordinate.of(task.state);
+    return valueOf(quantity, { summary, inputShown, readouts: byName(other.readoutNames(), other.at(coordinate.input(inputShown)).readouts) });
   })).value;
 }
 
 /**
  * @param {string} quantity
- * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "place" | "readouts">} here
+ * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "inputShown" | "readouts">} here
  * @returns {number | null} the quantity's value in the reader's unit, null if there is none
  */
-export function valueOf(quantity, { summary, place, readouts }) {
+export function valueOf(quantity, { summary, inputShown, readouts }) {
   if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
-  if (quantity === "input") return summary.moves === null ? null : place;
+  if (quantity === "input") return summary.moves === null ? null : inputShown;
   const [name, whole] = quantity.split(":");
   if (whole !== undefined) return wholeOf(name, whole, summary);
   const value = readouts?.[name];
@@ -158,7 +158,7 @@ function wholeOf(name, whole, summary) {
 }
 
 /**
- * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "readouts" | "place">} here
+ * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "readouts" | "inputShown">} here
  * @returns {string[]} all quantities that have a value for the mechanism
  */
 export function quantities(here) {

@@ -55,7 +55,7 @@ export class ChartView {
   render(snapshot) {
     this.#snapshot = snapshot;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
-    const { start } = snapshot.coordinate.axis(snapshot.place);
+    const { start } = snapshot.coordinate.axis(snapshot.inputShown);
     const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start} ${snapshot.state.view.only}`;
     if (wanted === this.#drawn) return;
     this.#drawn = wanted;

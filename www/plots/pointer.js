@@ -37,7 +37,7 @@ export class ChartPointer {
     this.#store = page.store;
     this.#drive = (/** @type {number} */ input) => {
       const { coordinate } = model;
-      page.drive(Math.min(coordinate.place(input), coordinate.last(coordinate.of(page.store.get()))));
+      page.drive(Math.min(coordinate.inputShown(input), coordinate.last(coordinate.of(page.store.get()))));
     };
     canvas.addEventListener("pointerdown", (event) => this.#down(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
@@ -106,7 +106,7 @@ export class ChartPointer {
 
   /** @param {number | null} phi */
   #hover(phi) {
-    setData(this.#canvas, "hover", phi === null ? "" : String(this.#model.coordinate.place(phi)));
+    setData(this.#canvas, "hover", phi === null ? "" : String(this.#model.coordinate.inputShown(phi)));
     this.#cursor.hover(phi);
   }
 

@@ -37,12 +37,12 @@ export class ReadoutTable {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, readouts, coordinate, place, words, stale, numbersDue, withheld, compares } = snapshot;
+    const { state, summary, readouts, coordinate, inputShown, words, stale, numbersDue, withheld, compares } = snapshot;
     setData(this.#table, "faded", String(stale));
     if (!numbersDue) return;
     if (!this.#built.same(summary, words, state.view.axes, compares)) this.#build(snapshot);
-    write(this.#input, coordinate.written(place, words, state.view.playing ? 1 : 3));
-    this.#input.dataset.value = String(place);
+    write(this.#input, coordinate.written(inputShown, words, state.view.playing ? 1 : 3));
+    this.#input.dataset.value = String(inputShown);
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
       const said = value === undefined ? null : written(value, listed.what, order, words);

@@ -230,7 +230,7 @@ export class MechanismPointer {
     const change = attempt(() => this.#engine.simulator.drag(name, inputNow(this.#page), x, y)).value;
     if (!change) return;
     if (change.document || change.input === undefined) take(change, this.#page);
-    else this.#page.drive(this.#model.coordinate.place(change.input));
+    else this.#page.drive(this.#model.coordinate.inputShown(change.input));
   }
 
   /**

@@ -24,7 +24,7 @@ export function take({ document, input }, { store, model, drafts }) {
   if (input === undefined) return true;
   // The model takes the new document first, because the range of the input may have changed.
   model.follow(store.get());
-  store.update((state) => model.coordinate.put(state, model.coordinate.place(input)));
+  store.update((state) => model.coordinate.put(state, model.coordinate.inputShown(input)));
   return true;
 }
 
@@ -87,7 +87,7 @@ export function choose(kind, document, edits, look, page) {
     // The previous input may lie outside the range of the new driver.
     model.follow(store.get());
     const { coordinate, home } = model;
-    if (!model.hasPose) store.update((state) => coordinate.put(state, coordinate.place(home)));
+    if (!model.hasPose) store.update((state) => coordinate.put(state, coordinate.inputShown(home)));
     store.update((state) => withView(state, look(model.accepted ? model.summary : null)));
   });
 }

@@ -27,10 +27,10 @@ test("an angle is brought onto its axis by whole periods, and both ends stay", (
     const [start, turns] = [dice.between(-10, 10), 1 + dice.below(3)];
     const coordinate = new Coordinate("angle", full(start, start + turns * TURN));
     const { start: from, end: to } = coordinate.axis(0);
-    const place = dice.between(-3000, 3000);
-    const found = coordinate.onto(place);
+    const inputShown = dice.between(-3000, 3000);
+    const found = coordinate.onto(inputShown);
     assert.ok(found >= from - 1e-9 && found <= to + 1e-9, `${found} ${from} ${to}`);
-    const periods = (place - found) / (to - from);
+    const periods = (inputShown - found) / (to - from);
     assert.ok(Math.abs(periods - Math.round(periods)) < 1e-9, String(periods));
     assert.equal(coordinate.onto(found), found);
     for (const end of [from, to]) assert.equal(coordinate.onto(end), end);
@@ -52,7 +52,7 @@ test("time that goes on has one span after the other", () => {
   assert.deepEqual(endless.axis(37), { start: 30, end: 40 });
   assert.deepEqual(endless.axis(0), { start: 0, end: 10 });
   assert.deepEqual(run.axis(37), { start: 0, end: 10 });
-  // The end of a span is the beginning of the next: its last place is before it.
+  // The end of a span is the beginning of the next: its last input is before it.
   const last = endless.last(37);
   assert.ok(last < 40 && last > 39.999);
   assert.deepEqual(endless.axis(last), { start: 30, end: 40 });
@@ -62,11 +62,11 @@ test("time that goes on has one span after the other", () => {
 
 test("readers have degrees, the engine radians; a length and a time are the same for both", () => {
   often(300, (dice) => {
-    const place = dice.between(-720, 720);
-    near(crank.place(crank.input(place)), place);
-    near(crank.input(place), (place / 180) * Math.PI);
-    assert.equal(slide.input(place), place);
-    assert.equal(run.place(place), place);
+    const inputShown = dice.between(-720, 720);
+    near(crank.inputShown(crank.input(inputShown)), inputShown);
+    near(crank.input(inputShown), (inputShown / 180) * Math.PI);
+    assert.equal(slide.input(inputShown), inputShown);
+    assert.equal(run.inputShown(inputShown), inputShown);
   });
 });
 

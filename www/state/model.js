@@ -19,7 +19,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {{
  *   state: State,
  *   coordinate: Coordinate,
- *   place: number,
+ *   inputShown: number,
  *   input: number,
  *   words: Words,
  *   scene: Float32Array,
@@ -37,7 +37,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  *   numbersDue: boolean,
  *   withheld: ReadonlySet<string>,
  * }} Shown
- * What the views draw. `place`: the input on its axis, in the reader's unit; `input`: the same in the engine's unit. `revision`: number of
+ * What the views draw. `inputShown`: the input on its axis, in the reader's unit; `input`: the same in the engine's unit. `revision`: number of
  * mechanisms taken so far. `handles`: x and y of the summary's handles in the last drawing; `frameInput`: input of this drawing. `readouts`,
  * `plotted`: null if there are none at the input. `compared`: mechanism A at the input, null if A is not shown or cannot be assembled;
  * `compares`: whether A is shown. `stale`: whether the mechanism and plots are not those of the state, which has problems. `faded`: whether
@@ -221,13 +221,13 @@ export class Model {
     const unread = state.view.playing ? [] : this.#unread;
     const poseProblems = stale ? [] : this.#poseProblems.length > 0 ? this.#poseProblems : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];
-    const place = this.#coordinate.of(state);
+    const inputShown = this.#coordinate.of(state);
     return {
       ...this.#drawn,
       state,
       coordinate: this.#coordinate,
-      place,
-      input: this.#coordinate.input(place),
+      inputShown,
+      input: this.#coordinate.input(inputShown),
       words,
       scene: this.#scene,
       revision: this.#revision,

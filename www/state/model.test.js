@@ -99,15 +99,15 @@ test("only what a change makes necessary is asked of the engine", (t) => {
   assert.deepEqual(asked(), [1, 2]);
 });
 
-test("a mechanism of another kind has another count of its input, and a place of its own", () => {
+test("a mechanism of another kind has another count of its input, and an input of its own", () => {
   const { engine, update, now } = begin("mixer-a");
   const before = now().revision;
   const { kind, document } = engine.catalogue.preset("train-gears");
   const shown = update((state) => withMechanism(state, kind, document));
-  assert.deepEqual([shown.kind, shown.coordinate.moves, shown.place, shown.revision], ["gear-train", "time", 0, before + 1]);
+  assert.deepEqual([shown.kind, shown.coordinate.moves, shown.inputShown, shown.revision], ["gear-train", "time", 0, before + 1]);
 });
 
-test("all mechanisms of the catalogue have drawings, read-outs and handles at every place they reach", () => {
+test("all mechanisms of the catalogue have drawings, read-outs and handles at every input they reach", () => {
   const { engine, store, update } = begin("mixer-a");
   for (const { id, kind, document } of engine.catalogue.presets) {
     store.put(stateOf(engine, id));
@@ -116,7 +116,7 @@ test("all mechanisms of the catalogue have drawings, read-outs and handles at ev
     const { arcs, start, end } = summary.cycle;
     for (const [from, to] of arcs.length > 0 ? arcs : [[start, end]]) {
       for (let k = 1; k < 8; k++) {
-        const here = update((state) => coordinate.put(state, coordinate.place(from + ((to - from) * k) / 8)));
+        const here = update((state) => coordinate.put(state, coordinate.inputShown(from + ((to - from) * k) / 8)));
         assert.deepEqual(here.problems.filter(({ code }) => code !== "change_point"), [], `${id} ${k}`);
         for (const list of [here.frame, here.handles, Object.values(here.readouts ?? {})]) assert.ok([...list].every(Number.isFinite), `${id} ${k}`);
         assert.equal(here.handles.length, 2 * summary.handles.length, id);
@@ -129,14 +129,14 @@ test("all mechanisms of the catalogue have drawings, read-outs and handles at ev
 test("a driver that is played turns back at the ends of its way by itself, and the reader's direction stays", () => {
   const { engine, store, model, update } = begin("chebyshev", { playing: true, speed: 4 });
   const player = new Player();
-  const places = [];
+  const inputs = [];
   for (let i = 0; i < 200; i++) {
-    const { place } = update((state) => player.played(state, 0.05, engine, model));
-    places.push(place);
+    const { inputShown } = update((state) => player.played(state, 0.05, engine, model));
+    inputs.push(inputShown);
   }
-  const back = places.some((place, i) => i > 0 && place < places[i - 1]);
-  const forth = places.some((place, i) => i > 0 && place > places[i - 1]);
-  assert.ok(back && forth, String(places));
+  const back = inputs.some((inputShown, i) => i > 0 && inputShown < inputs[i - 1]);
+  const forth = inputs.some((inputShown, i) => i > 0 && inputShown > inputs[i - 1]);
+  assert.ok(back && forth, String(inputs));
   assert.deepEqual([store.get().view.direction, store.get().view.playing], [1, true]);
 });
 

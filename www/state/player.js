@@ -35,19 +35,19 @@ export class Player {
     if (!moved) return withView(state, { playing: false });
     const [input, sense] = moved;
     if (sense < 0) this.#sense = -this.#sense;
-    return coordinate.put(state, coordinate.place(input));
+    return coordinate.put(state, coordinate.inputShown(input));
   }
 }
 
 /**
  * Returns the state with the driver moved by hand and the motion stopped.
  * @param {State} state
- * @param {number} place input in the reader's unit
+ * @param {number} inputShown input in the reader's unit
  * @param {Model} model
  * @returns {State}
  */
-export function stoppedAt(state, place, model) {
-  return withView(model.coordinate.put(state, place), { playing: false });
+export function stoppedAt(state, inputShown, model) {
+  return withView(model.coordinate.put(state, inputShown), { playing: false });
 }
 
 /**
