@@ -102,13 +102,13 @@ export class Painter {
         const wanted = { x: left, y: top, dx: label.dx * size, dy: -label.dy * size };
         const width = textWidth(context, font, text);
         const more = low === "" ? 0 : LOW.size * textWidth(context, font, low);
-        const place = places.take(label.label, wanted, width + more, size);
-        if (!place.free && small) continue;
+        const spot = places.take(label.label, wanted, width + more, size);
+        if (!spot.free && small) continue;
         const colour = this.#theme.colours[label.role];
-        this.#write(context, text, colour, place.x - more / 2, place.y);
+        this.#write(context, text, colour, spot.x - more / 2, spot.y);
         if (low === "") continue;
         context.font = `600 ${LOW.size * size}px ${this.#theme.font}`;
-        this.#write(context, low, colour, place.x + width / 2, place.y + LOW.below * size);
+        this.#write(context, low, colour, spot.x + width / 2, spot.y + LOW.below * size);
         context.font = font;
       }
     }

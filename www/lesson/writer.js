@@ -39,11 +39,11 @@ export class Writer {
   #at = -1;
 
   /**
-   * @param {HTMLElement} place
+   * @param {HTMLElement} container
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/core/words.js").Words} words
    */
-  constructor(place, page, words) {
+  constructor(container, page, words) {
     this.#page = page;
     this.#words = words;
     const button = (/** @type {string} */ id, /** @type {() => void} */ act, /** @type {string} */ sign = "") => {
@@ -81,7 +81,7 @@ export class Writer {
     ]);
     form.addEventListener("submit", (event) => event.preventDefault());
     const read = button("read", () => page.lesson.write(false));
-    place.replaceChildren(this.#title, form, this.#said, read, this.#results.element);
+    container.replaceChildren(this.#title, form, this.#said, read, this.#results.element);
   }
 
   focus() {

@@ -155,8 +155,8 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
   const text = input === undefined ? numbers : `${coordinate.text(input, words, 1)}: ${numbers}`;
   const font = setChartFont(context, theme);
   const [wide, tall] = [textWidth(context, font, text) + 10, TAG * theme.scale];
-  const place = freeCorner(field, at, down, [wide, tall], (DOT + 5) * theme.scale);
-  paintTag(context, { ...place, width: wide, tall }, { text, colour: colours[role], ink: theme.inks[role] }, theme);
+  const corner = freeCorner(field, at, down, [wide, tall], (DOT + 5) * theme.scale);
+  paintTag(context, { ...corner, width: wide, tall }, { text, colour: colours[role], ink: theme.inks[role] }, theme);
 }
 
 /**
@@ -165,7 +165,7 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
  * @param {number} down y of the dot
  * @param {[number, number]} size width and height of its numbers
  * @param {number} off distance of the numbers from the dot
- * @returns the place beside the dot at which its numbers cover the fewest points of the curve
+ * @returns the corner beside the dot at which its numbers cover the fewest points of the curve
  */
 function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
   const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));

@@ -58,9 +58,9 @@ function rows({ circles, inflection }, words) {
     const own = title("R", words.text("curvature.radius", { of }));
     if (!radius || !centre) return [row("accent1", false, own, [why(`out-${point}.radius`, reason, words)])];
     const values = ORDERS.map((order) => cell(`out-${readoutOf(`${point}.radius`, order)}`, radius[order], order, words));
-    const place = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
-    place.append(`(${centre.map((way) => written(way, "x", 0, words).text).join("; ")})`);
-    return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [place])];
+    const centreCell = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
+    centreCell.append(`(${centre.map((way) => written(way, "x", 0, words).text).join("; ")})`);
+    return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [centreCell])];
   });
   if (!inflection) return said;
   const { link, diameter, reason } = inflection;

@@ -8,19 +8,19 @@ import { Seen } from "assur/core/seen.js";
 const PAUSE = 700;
 
 export class TrainDescription {
-  #place = make("p", { id: "train-description", class: "unseen", "data-of": "gear-train" });
+  #element = make("p", { id: "train-description", class: "unseen", "data-of": "gear-train" });
   #shown = new Seen();
   #timer = 0;
 
   constructor() {
-    byId("mechanism-description", HTMLElement).after(this.#place);
+    byId("mechanism-description", HTMLElement).after(this.#element);
   }
 
   /** @param {Snapshot} snapshot */
   render({ summary, words, stale, withheld }) {
     if (this.#shown.same(summary, words, stale, withheld) || stale) return;
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => write(this.#place, told(summary, words, withheld)), PAUSE);
+    this.#timer = setTimeout(() => write(this.#element, told(summary, words, withheld)), PAUSE);
   }
 }
 

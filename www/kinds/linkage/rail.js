@@ -92,10 +92,10 @@ export class LinkageRail {
     });
     for (const { element } of [...this.#rows, ...this.#further]) words.fill(element);
     this.#rates.replaceChildren(...this.#further.map(({ element }) => element));
-    for (const [place, isOfPoints] of /** @type {const} */ ([[this.#lengths, false], [this.#coordinates, true]])) {
+    for (const [container, isOfPoints] of /** @type {const} */ ([[this.#lengths, false], [this.#coordinates, true]])) {
       const rows = this.#rows.filter(({ field }) => field.startsWith("points") === isOfPoints);
-      place.replaceChildren(...rows.map(({ element }) => element));
-      if (place.parentElement) place.parentElement.hidden = rows.length === 0;
+      container.replaceChildren(...rows.map(({ element }) => element));
+      if (container.parentElement) container.parentElement.hidden = rows.length === 0;
     }
   }
 

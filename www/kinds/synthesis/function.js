@@ -94,9 +94,9 @@ function curve({ curve: samples }, [from, to], most) {
       pen = "M";
       return "";
     }
-    const place = `${pen}${((x - from) / (to - from)) * WIDE} ${(1 - error / (most || 1)) * (HIGH / 2)}`;
+    const segment = `${pen}${((x - from) / (to - from)) * WIDE} ${(1 - error / (most || 1)) * (HIGH / 2)}`;
     pen = "L";
-    return place;
+    return segment;
   }).join("");
 }
 
