@@ -66,8 +66,8 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
-    const { drawn, ...places } = this.#paint(this.#surface, snapshot, this.#theme, false);
-    ({ panels: this.panels, against: this.against, labels: this.labels } = places);
+    const { drawn, ...layout } = this.#paint(this.#surface, snapshot, this.#theme, false);
+    ({ panels: this.panels, against: this.against, labels: this.labels } = layout);
     if (this.#drawable && !drawn) this.#failed();
     this.#drawable = drawn;
     this.redrawn();

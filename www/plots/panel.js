@@ -14,7 +14,7 @@ export function across(panel, phi) {
 /**
  * @param {Panel} panel
  * @param {number} left CSS pixels from the left
- * @returns {number} the input at this place, limited to the ends of the axis
+ * @returns {number} the input there, limited to the ends of the axis
  */
 export function angleAt(panel, left) {
   const share = Math.min(Math.max((left - panel.left) / panel.width, 0), 1);

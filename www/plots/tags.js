@@ -99,7 +99,7 @@ function freeTop(tag, labels, first, last) {
  */
 function spread(tops, first, last, tall) {
   const step = tall + APART;
-  // Tags that would overlap form a block around the mean of their places.
+  // Tags that would overlap form a block around the mean of their positions.
   /** @type {{ sum: number, count: number }[]} */
   const blocks = [];
   tops.forEach((top, i) => {
@@ -111,6 +111,6 @@ function spread(tops, first, last, tall) {
     blocks.push(block);
   });
   const lowest = Math.max(first, last - tall - (tops.length - 1) * step);
-  const places = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
-  return places.map((place, i) => place + i * step);
+  const apart = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
+  return apart.map((top, i) => top + i * step);
 }

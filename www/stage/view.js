@@ -99,12 +99,12 @@ export class MechanismView {
   joints() {
     const snapshot = this.#snapshot;
     if (!snapshot) return [];
-    const { summary: { handles }, handles: places } = snapshot;
-    return handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
+    const { summary: { handles }, handles: points } = snapshot;
+    return handles.map((handle, i) => ({ ...handle, x: points[2 * i], y: points[2 * i + 1] }));
   }
 
   /**
-   * @param {{ x: number, y: number }} place on the canvas, in pixels
+   * @param {{ x: number, y: number }} pixel of the canvas
    * @param {number} reach pixels
    * @param {string} [but] name of a joint to leave out
    * @returns {Joint | null} the nearest joint within reach
