@@ -1,7 +1,7 @@
 // Undo and redo: a list of earlier mechanisms. A step is what a person regards as one change.
 import { whenReleased } from "assur/core/released.js";
 import { partOf } from "assur/state/drafts.js";
-import { EXTRAS, UNDOABLE_FIELDS, extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
+import { EXTRAS, UNDOABLE_VIEW, extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -158,7 +158,7 @@ export class History {
  */
 function entryOf(state) {
   const { kind, document, view } = state;
-  return { kind, document, extras: extrasOf(state), shown: Object.fromEntries(UNDOABLE_FIELDS.map((name) => [name, view[name]])) };
+  return { kind, document, extras: extrasOf(state), shown: Object.fromEntries(UNDOABLE_VIEW.map((name) => [name, view[name]])) };
 }
 
 /**
@@ -176,5 +176,5 @@ function imagesOf(entries) {
  */
 function same(one, other) {
   const extras = EXTRAS.every((name) => one.extras[name] === other.extras[name]);
-  return one.document === other.document && extras && UNDOABLE_FIELDS.every((name) => one.shown[name] === other.shown[name]);
+  return one.document === other.document && extras && UNDOABLE_VIEW.every((name) => one.shown[name] === other.shown[name]);
 }

@@ -5,7 +5,7 @@ import { often } from "assur/tests/random.js";
 import { Drafts } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Store } from "assur/state/store.js";
-import { UNDOABLE_FIELDS, extrasOf, initialState, withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
+import { UNDOABLE_VIEW, extrasOf, initialState, withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /** A page without a page: a store, its drafts and its history. */
 function begin() {
@@ -18,7 +18,7 @@ function begin() {
 
 /** What undo brings back of a state, to compare with. */
 function undone(state) {
-  return JSON.stringify([state.kind, state.document, extrasOf(state), UNDOABLE_FIELDS.map((name) => state.view[name])]);
+  return JSON.stringify([state.kind, state.document, extrasOf(state), UNDOABLE_VIEW.map((name) => state.view[name])]);
 }
 
 const slider = () => Object.assign(new HTMLInputElement(), { type: "range" });

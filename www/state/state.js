@@ -43,7 +43,7 @@ export const DRAWN = Object.freeze(
 export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", relative_to: "", measures: Object.freeze([]) });
 
 /** Fields of the view that are undone with the document. Changes of other fields lose no work. */
-export const UNDOABLE_FIELDS = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
+export const UNDOABLE_VIEW = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
 
 /** Optional parts of a state besides its document and its view. */
 export const EXTRAS = Object.freeze(/** @type {const} */ (["lesson", "compared", "picture"]));

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Store } from "assur/state/store.js";
 import {
-  DRAWN, PARTS, SWITCHES, UNDOABLE_FIELDS, contains, edited, extrasOf, initialState, usualView, withDocument, withExtras, withMechanism, withView, withoutExtras,
+  DRAWN, PARTS, SWITCHES, UNDOABLE_VIEW, contains, edited, extrasOf, initialState, usualView, withDocument, withExtras, withMechanism, withView, withoutExtras,
 } from "assur/state/state.js";
 
 const document = Object.freeze({ l1: 1, wheels: [{ z: 18 }] });
@@ -43,7 +43,7 @@ test("a change of one kind of document leaves another as it is", () => {
 
 test("what the engine draws by, what is undone and what refers to parts are fields of the view", () => {
   const view = usualView({});
-  for (const name of [...DRAWN, ...UNDOABLE_FIELDS, ...SWITCHES, ...Object.keys(PARTS)]) assert.ok(name in view, name);
+  for (const name of [...DRAWN, ...UNDOABLE_VIEW, ...SWITCHES, ...Object.keys(PARTS)]) assert.ok(name in view, name);
   assert.deepEqual({ ...view, ...PARTS }, view);
 });
 
