@@ -67,11 +67,11 @@ async function take(kind, unwrap, engine, { calm, lang, embedding }) {
 export async function takeAddress(address, engine, habits) {
   const hash = addressed(address);
   if (hash === "") return null;
-  const whole = (/** @type {string} */ id) => {
+  const presetOf = (/** @type {string} */ id) => {
     const preset = engine.catalogue.preset(id);
     return preset && { kind: preset.kind, document: preset.document, view: usualView({ lang: habits.lang }) };
   };
-  return take("address", () => fromAddress(hash, whole), engine, habits);
+  return take("address", () => fromAddress(hash, presetOf), engine, habits);
 }
 
 /**

@@ -96,8 +96,8 @@ export class Painter {
       const [x, y, angle] = poses[layer.body];
       const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
       for (const label of layer.labels) {
-        const whole = write(label.label);
-        const [, text = whole, low = ""] = INDEXED.exec(whole) ?? [];
+        const written = write(label.label);
+        const [, text = written, low = ""] = INDEXED.exec(written) ?? [];
         const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
         const wanted = { x: left, y: top, dx: label.dx * size, dy: -label.dy * size };
         const width = textWidth(context, font, text);

@@ -209,8 +209,8 @@ export class Hand {
         this.frame = [corner, other];
         const inside = this.#page.mechanism.joints().filter(({ x, y }) => between(x, corner[0], other[0]) && between(y, corner[1], other[1]));
         const names = new Set(inside.map(({ name }) => name));
-        const whole = this.#document().links.filter((link) => link.points.every((point) => names.has(point)));
-        this.#selection.set([...points, ...names], [...links, ...whole.map(({ name }) => name)]);
+        const enclosed = this.#document().links.filter((link) => link.points.every((point) => names.has(point)));
+        this.#selection.set([...points, ...names], [...links, ...enclosed.map(({ name }) => name)]);
         this.#page.redraw();
       },
       end: () => {

@@ -75,8 +75,8 @@ export async function posesAsSvg(page, theme, count, work, title) {
 export async function posesAsPng(page, theme, count, work) {
   const { size, begin } = page.mechanism.sheet();
   const width = size.width * SHARPNESS;
-  const whole = new OffscreenCanvas(1, 1);
-  const target = targetOn(whole, size, width);
+  const canvas = new OffscreenCanvas(1, 1);
+  const target = targetOn(canvas, size, width);
   const { ground, moment } = begin(theme);
   ground(target);
   const one = new OffscreenCanvas(1, 1);
@@ -88,7 +88,7 @@ export async function posesAsPng(page, theme, count, work) {
     target.context.globalAlpha = 1;
   }
   begin(theme).moment(target);
-  return whole.convertToBlob({ type: "image/png" });
+  return canvas.convertToBlob({ type: "image/png" });
 }
 
 /**

@@ -110,9 +110,9 @@ function foot(link, engine) {
 /** @param {Uint8Array} cells of the QR code, row by row; 1 is dark */
 function code(cells) {
   const side = Math.sqrt(cells.length);
-  const whole = side + 2 * QUIET;
+  const edge = side + 2 * QUIET;
   const path = [...cells].map((dark, at) => (dark ? `M${at % side} ${Math.floor(at / side)}h1v1h-1z` : "")).join("");
-  const svg = makeSvg("svg", { viewBox: `${-QUIET} ${-QUIET} ${whole} ${whole}`, class: "code" }, [makeSvg("path", { d: path })]);
-  svg.style.width = `${whole * CELL}mm`;
+  const svg = makeSvg("svg", { viewBox: `${-QUIET} ${-QUIET} ${edge} ${edge}`, class: "code" }, [makeSvg("path", { d: path })]);
+  svg.style.width = `${edge * CELL}mm`;
   return svg;
 }

@@ -23,12 +23,12 @@ export function shownNow({ model: { lastAccepted: { kind, document, view } } }) 
 
 /**
  * @template {object} T
- * @param {T} whole
+ * @param {T} object
  * @param {Partial<T>} change
  * @returns {T} the changed object without the entries that are undefined or null
  */
-export function changed(whole, change) {
-  const entries = Object.entries({ ...whole, ...change });
+export function changed(object, change) {
+  const entries = Object.entries({ ...object, ...change });
   return /** @type {T} */ (Object.fromEntries(entries.filter(([, value]) => value !== undefined && value !== null)));
 }
 

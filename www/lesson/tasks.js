@@ -27,7 +27,7 @@ export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
 const TRIES = 64;
 
 /** Properties of a whole motion that can be asked for, by the suffix of the quantity. */
-const WHOLE = Object.freeze(["swing", "time_ratio", "worst"]);
+const PROPERTIES = Object.freeze(["swing", "time_ratio", "worst"]);
 
 /**
  * @param {Written} lesson
@@ -126,8 +126,8 @@ export function answerOf(lesson, index, name, engine) {
 export function valueOf(quantity, { summary, inputShown, readouts }) {
   if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
   if (quantity === "input") return summary.moves === null ? null : inputShown;
-  const [name, whole] = quantity.split(":");
-  if (whole !== undefined) return wholeOf(name, whole, summary);
+  const [name, property] = quantity.split(":");
+  if (property !== undefined) return propertyOf(name, property, summary);
   const value = readouts?.[name];
   return value === undefined ? null : counted(value, name);
 }
@@ -143,17 +143,17 @@ function counted(value, quantity) {
 
 /**
  * @param {string} name
- * @param {string} whole one of {@link WHOLE}
+ * @param {string} property one of {@link PROPERTIES}
  * @param {Summary} summary
  */
-function wholeOf(name, whole, summary) {
-  if (whole === "worst") {
+function propertyOf(name, property, summary) {
+  if (property === "worst") {
     const worst = "transmissions" in summary ? summary.transmissions.find(({ joint, what }) => `${joint}.${what}` === name)?.worst : undefined;
     return worst === undefined || worst === null ? null : degrees(worst);
   }
   const output = summary.moves === null ? undefined : summary.outputs.find((one) => one.name === name);
-  if (whole === "time_ratio") return output?.time_ratio ?? null;
-  const stroke = whole === "swing" ? output?.swing[0]?.stroke : undefined;
+  if (property === "time_ratio") return output?.time_ratio ?? null;
+  const stroke = property === "swing" ? output?.swing[0]?.stroke : undefined;
   return stroke === undefined ? null : counted(stroke, name);
 }
 
@@ -166,6 +166,6 @@ export function quantities(here) {
   if (summary.moves === null) return [W].filter((name) => valueOf(name, here) !== null);
   const outputs = summary.outputs.map(({ name }) => name);
   const joints = "transmissions" in summary ? summary.transmissions.map(({ joint, what }) => `${joint}.${what}`) : [];
-  const wholes = [...outputs, ...joints].flatMap((name) => WHOLE.map((whole) => `${name}:${whole}`));
-  return ["input", W, ...wholes, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
+  const properties = [...outputs, ...joints].flatMap((name) => PROPERTIES.map((property) => `${name}:${property}`));
+  return ["input", W, ...properties, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
 }

@@ -17,7 +17,7 @@ import { keep } from "assur/state/storage.js";
 
 /**
  * @typedef {import("assur/lesson/steps.js").Written} Written
- * @typedef {import("assur/lesson/fields.js").Field} Field
+ * @typedef {import("assur/lesson/fields.js").FormField} FormField
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {HTMLInputElement | HTMLTextAreaElement} Control
  */
@@ -25,7 +25,7 @@ import { keep } from "assur/state/storage.js";
 export class Writer {
   #page;
   #words;
-  /** @type {Map<Field, { control: Control, row: HTMLElement }>} */
+  /** @type {Map<FormField, { control: Control, row: HTMLElement }>} */
   #fields = new Map();
   #title = make("h2", { id: "write-heading", tabindex: "-1" });
   #walked = make("p", { id: "write-progress", role: "status" });
@@ -69,7 +69,7 @@ export class Writer {
     this.#asking = new Asking(page, words, change);
     this.#varying = new Varying(page, words, change);
     this.#results = new Results(page, words);
-    const of = (/** @type {Field["of"]} */ what) => FIELDS.filter((field) => field.of === what).map((field) => this.#row(field));
+    const of = (/** @type {FormField["of"]} */ what) => FIELDS.filter((field) => field.of === what).map((field) => this.#row(field));
     write(this.#title, words.text("write.heading"));
     const form = make("form", { id: "write", autocomplete: "off" }, [
       ...of("lesson"),
@@ -128,7 +128,7 @@ export class Writer {
     this.#at = index;
   }
 
-  /** @param {Field} field */
+  /** @param {FormField} field */
   #row(field) {
     const { id, rows = 0, most, numeric } = field;
     const shared = { id: `write-${id}`, class: numeric ? "control number" : "control", ...(most && { maxlength: String(most) }) };
@@ -140,7 +140,7 @@ export class Writer {
   }
 
   /**
-   * @param {Field} field
+   * @param {FormField} field
    * @param {Control} control
    */
   #type(field, control) {

@@ -97,16 +97,16 @@ export class ChartView {
    * @param {import("assur/canvas/painter.js").Target} target in CSS pixels
    * @param {Snapshot} snapshot
    * @param {Theme} theme
-   * @param {boolean} whole whether the curves go through all their points; otherwise indistinguishable points are omitted
+   * @param {boolean} fullDetail whether the curves go through all their points; otherwise indistinguishable points are omitted
    * @returns places of the plots and their labels, and whether they could be drawn
    */
-  #paint({ context, ratio }, snapshot, theme, whole) {
+  #paint({ context, ratio }, snapshot, theme, fullDetail) {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     const { only } = snapshot.state.view;
     // On a new or resized canvas the value is "miter".
     context.lineJoin = "round";
-    const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
+    const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole: fullDetail, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };
     const covered = this.#overlay?.(context, panels, snapshot, this.#engine, theme) ?? [];
     const titles = drawChartText(context, panels, snapshot, theme);

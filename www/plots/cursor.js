@@ -23,7 +23,7 @@ const TAG = 17;
 /** Dashes of the second cursor's line. */
 const GHOST = [4, 4];
 /** @type {number[]} dashes of the first cursor's line: none */
-const WHOLE = [];
+const SOLID = [];
 
 export class ChartCursor {
   #surface;
@@ -114,7 +114,7 @@ export class ChartCursor {
    * @param {readonly Box[] | null} labels labels that the written values avoid; null to write no values
    * @param {number[]} dashes of the line
    */
-  #panel(panel, snapshot, phi, values, labels, dashes = WHOLE) {
+  #panel(panel, snapshot, phi, values, labels, dashes = SOLID) {
     const { context } = this.#surface;
     const { colours, weight } = this.#theme;
     const x = across(panel, phi);
@@ -126,7 +126,7 @@ export class ChartCursor {
     context.lineTo(x, panel.top + panel.height);
     context.setLineDash(dashes);
     context.stroke();
-    context.setLineDash(WHOLE);
+    context.setLineDash(SOLID);
     const dots = this.#dots(panel, snapshot, values);
     if (dots.length === 0) return;
     context.lineWidth = 2 * weight;

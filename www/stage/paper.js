@@ -116,8 +116,8 @@ function paintScaleBar(context, height, length, text, theme, ratio) {
  * @returns {{ width: number, at(coordinate: number): number }} `width`: the line's width; `at`: the coordinate moved into line with the pixels
  */
 function sharp(width, ratio) {
-  const whole = Math.max(Math.round(width * ratio), 1) / ratio;
-  return { width: whole, at: (coordinate) => Math.round((coordinate - whole / 2) * ratio) / ratio + whole / 2 };
+  const aligned = Math.max(Math.round(width * ratio), 1) / ratio;
+  return { width: aligned, at: (coordinate) => Math.round((coordinate - aligned / 2) * ratio) / ratio + aligned / 2 };
 }
 
 /**

@@ -62,8 +62,8 @@ export function fromAddress(hash, preset) {
   if (hash.length > MAX_LENGTH) throw unreadable();
   const [version, ...pairs] = hash.split("&");
   const kind = Object.hasOwn(KINDS, version) ? KINDS[version] : undefined;
-  const whole = kind === undefined ? preset(plain(version)) : undefined;
-  if (kind === undefined && !whole) throw unreadable();
+  const named = kind === undefined ? preset(plain(version)) : undefined;
+  if (kind === undefined && !named) throw unreadable();
   const entries = pairs.map((pair) => {
     const at = pair.indexOf("=");
     return at < 0 ? [plain(pair), null] : [plain(pair.slice(0, at)), decode(pair.slice(at + 1))];
@@ -75,10 +75,10 @@ export function fromAddress(hash, preset) {
   };
   const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
-  if (whole) {
+  if (named) {
     // An address that names a preset may not have fields of a document: they would be ignored silently.
     if (Object.keys(document).length > 0) throw unreadable();
-    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(EXTRAS) }, unreadable());
+    return shallow({ format: Number(VERSION), ...named, view: { ...named.view, ...view }, ...own(EXTRAS) }, unreadable());
   }
   return shallow({ format: Number(version), ...own(EXTRAS), ...own([kind]), document, view }, unreadable());
 }

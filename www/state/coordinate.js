@@ -11,9 +11,9 @@ import { withView } from "assur/state/state.js";
 
 /** Kinds of input. `rates`: symbols of velocity and acceleration. The link's number follows all symbols but s and t. */
 const SORTS = Object.freeze({
-  angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
-  length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
-  time: Object.freeze({ field: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
+  angle: Object.freeze({ viewKey: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
+  length: Object.freeze({ viewKey: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
+  time: Object.freeze({ viewKey: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
 });
 
 /** Time of a turn of a crank, or of a slide's travel forth and back, at speed 1, in seconds. */
@@ -29,7 +29,7 @@ const MAX_TIME = 1e6;
 const HAIR = 1e-9;
 
 /** Fields of the view that hold an input of any kind. */
-export const FIELDS = Object.freeze(Object.values(SORTS).map(({ field }) => field));
+export const VIEW_KEYS = Object.freeze(Object.values(SORTS).map(({ viewKey }) => viewKey));
 
 export class Coordinate {
   #turns;
@@ -51,8 +51,8 @@ export class Coordinate {
   }
 
   /** Field of the view that holds the input. */
-  get field() {
-    return this.#sort.field;
+  get viewKey() {
+    return this.#sort.viewKey;
   }
 
   get symbol() {
@@ -129,7 +129,7 @@ export class Coordinate {
    * @returns {number} the input on its axis, in the reader's unit; an input at either end of the axis stays there
    */
   of({ view }) {
-    return this.onto(view[this.field]);
+    return this.onto(view[this.viewKey]);
   }
 
   /**
@@ -141,7 +141,7 @@ export class Coordinate {
     const wanted = this.moves === "time" ? Math.min(inputShown, MAX_TIME) : inputShown;
     const { start, end } = this.axis(wanted);
     const reached = this.#turns ? this.onto(wanted) : Math.min(Math.max(wanted, start), end);
-    return withView(state, { [this.field]: reached });
+    return withView(state, { [this.viewKey]: reached });
   }
 
   /**

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { Coordinate, FIELDS } from "assur/state/coordinate.js";
+import { Coordinate, VIEW_KEYS } from "assur/state/coordinate.js";
 import { initialState } from "assur/state/state.js";
 import { often } from "assur/tests/random.js";
 import { wordsOf } from "assur/tests/words.js";
@@ -16,8 +16,8 @@ const state = initialState("linkage", { points: [] }, { phi_deg: 400, s: 1.5, t:
 const near = (found, expected) => assert.ok(Math.abs(found - expected) <= 1e-9 * Math.max(1, Math.abs(expected)), `${found} ${expected}`);
 
 test("each input has its field, its symbol and those of its rates", () => {
-  assert.deepEqual(FIELDS, ["phi_deg", "s", "t"]);
-  assert.deepEqual([crank, slide, run].map(({ field }) => field), FIELDS);
+  assert.deepEqual(VIEW_KEYS, ["phi_deg", "s", "t"]);
+  assert.deepEqual([crank, slide, run].map(({ viewKey }) => viewKey), VIEW_KEYS);
   assert.deepEqual([crank, slide, run, new Coordinate("angle", full(0, TURN), "12")].map(({ symbol }) => symbol), ["φ₁", "s", "t", "φ₁₂"]);
   assert.deepEqual(crank.rates, ["ω₁", "ε₁"]);
 });
@@ -42,7 +42,7 @@ test("an angle is brought onto its axis by whole periods, and both ends stay", (
 
 test("a slide and the time of a run stop at their ends", () => {
   for (const [coordinate, wanted, reached] of [[slide, 9, 3], [slide, -9, -2], [slide, 1, 1], [run, 11, 10], [run, -1, 0], [endless, -1, 0], [endless, 1e9, 1e6]]) {
-    assert.equal(coordinate.put(state, wanted).view[coordinate.field], reached);
+    assert.equal(coordinate.put(state, wanted).view[coordinate.viewKey], reached);
   }
   assert.equal(crank.put(state, 361.5).view.phi_deg, 1.5);
   assert.equal(crank.put(state, 360).view.phi_deg, 360);

@@ -1,6 +1,6 @@
 // Data for everything that the page shows, derived from the state. The engine is asked only for what a change requires.
 import { attempt } from "assur/core/problem.js";
-import { Coordinate, FIELDS } from "assur/state/coordinate.js";
+import { Coordinate, VIEW_KEYS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
 import { DRAWN, PARTS } from "assur/state/state.js";
 
@@ -199,7 +199,7 @@ export class Model {
   follow(state) {
     const asked = this.#asked;
     const other = !asked || asked.document !== state.document || asked.compared !== state.compared || DRAWN.some((name) => asked.view[name] !== state.view[name]);
-    const moved = !asked || FIELDS.some((name) => asked.view[name] !== state.view[name]);
+    const moved = !asked || VIEW_KEYS.some((name) => asked.view[name] !== state.view[name]);
     if (other) this.#take(state);
     if (other || moved) this.#updatePose(state);
     this.#asked = state;
