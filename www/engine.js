@@ -85,12 +85,12 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @returns {import("assur/state/compared.js").Beside | null} mechanism A at the input; null if it is hidden or cannot be assembled
+   * @returns {import("assur/state/compared.js").Comparison | null} mechanism A at the input; null if it is hidden or cannot be assembled
    */
   compared(input) {
-    const beside = this.#compared.at(input);
+    const compared = this.#compared.at(input);
     this.#outliveCompared();
-    return beside;
+    return compared;
   }
 
   /** Starts a new instance of the module if mechanism A broke the present one. */
@@ -106,7 +106,7 @@ export class Engine {
    * @param {(other: module.Simulator) => T} questions
    * @returns {T}
    */
-  beside(questions) {
+  withScratchSimulator(questions) {
     return this.ask(() => {
       const other = new module.Simulator();
       const instance = this.#instances;

@@ -106,14 +106,14 @@ function pose(snapshot) {
     return `${listedName(one, words)} ${said}`;
   });
   const now = words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
-  return [now, ...beside(snapshot)].join(" ");
+  return [now, ...comparison(snapshot)].join(" ");
 }
 
 /**
  * A sentence with the output of the compared mechanism A, and the difference B − A; B is the shown mechanism.
  * @param {Snapshot} snapshot
  */
-function beside({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
+function comparison({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
   if (!compares) return [];
   if (!compared) return [words.text("compare.apart")];
   const output = listed.find(({ name }) => name === outputs[0]?.name) ?? listed[0];

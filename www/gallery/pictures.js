@@ -79,7 +79,7 @@ export class Pictures {
   #draw(canvas, state) {
     if (!canvas.isConnected) return;
     const { engine, theme, words, model: { coordinate } } = this.#page;
-    const { value } = attempt(() => engine.beside((other) => {
+    const { value } = attempt(() => engine.withScratchSimulator((other) => {
       const summary = other.set(withoutExtras(state));
       return { bounds: summary.bounds, scene: other.scene(), frame: other.at("home" in summary ? summary.home : 0).frame };
     }));

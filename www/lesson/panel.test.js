@@ -106,7 +106,7 @@ test("the mechanism with one's own numbers is that of the new name", () => {
 
 test("the engine is asked once for an answer, however often it is shown", (t) => {
   const { page, find, type, check } = begin({ number: { quantity: "rocker.angle", within: 0.1 } });
-  const asked = t.mock.method(page.engine, "beside");
+  const asked = t.mock.method(page.engine, "withScratchSimulator");
   find("lesson-reveal").dispatchEvent(new Event("click"));
   assert.equal(find("lesson-said").dataset.verdict, "shown");
   assert.match(find("lesson-said").textContent, /\d°/);

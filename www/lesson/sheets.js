@@ -129,7 +129,7 @@ function seenOf(task, number, engine) {
  * @returns the engine's summary of the state's mechanism, and its drawing with the driver at this position
  */
 function seenIn(state, inputShown, engine) {
-  return engine.beside((other) => {
+  return engine.withScratchSimulator((other) => {
     const summary = other.set(withoutExtras(state));
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
     const frameInput = coordinate ? coordinate.input(inputShown ?? coordinate.of(state)) : 0;

@@ -51,7 +51,7 @@ export function holds(show, presets, engine) {
     if (!opened || opened.kind !== state.kind) return false;
     if (!show.set && !show.drive) return contains(state, opened);
     // The preset gets the same edits here as in `open`.
-    const document = attempt(() => engine.beside((other) => edits(show, opened.document, other).reduce((now, { asked }) => {
+    const document = attempt(() => engine.withScratchSimulator((other) => edits(show, opened.document, other).reduce((now, { asked }) => {
       const summary = other.set(initialState(opened.kind, now, {}));
       return /** @type {TypedDocument["document"]} */ ({ ...now, ...asked(summary.moves === null ? 0 : summary.home).document });
     }, opened.document))).value;

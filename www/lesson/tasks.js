@@ -56,7 +56,7 @@ export function taskOf(lesson, index, name, engine) {
   if (vary.length === 0 || name.trim() === "") return { state, own: [] };
   const next = ownNumbers(name, at);
   const followed = new Set((attempt(() => engine.functions.numbersOf(withoutExtras(state))).value ?? []).filter((one) => one.followed).map(({ field }) => field));
-  return engine.beside((other) => {
+  return engine.withScratchSimulator((other) => {
     for (let tries = 0; tries < TRIES; tries++) {
       const own = vary.map((range) => ({ field: range.field, value: valueIn(range, next()) }));
       const fit = attempt(() => withOwn(state, own, followed, other)).value;
@@ -109,7 +109,7 @@ export function answerOf(lesson, index, name, engine) {
   if (value !== undefined && value !== null) return value;
   const task = quantity ? taskOf(lesson, index, name, engine) : null;
   if (!task || !quantity) return null;
-  return engine.beside((other) => attempt(() => {
+  return engine.withScratchSimulator((other) => attempt(() => {
     const summary = other.set(task.state);
     if (summary.moves === null) return valueOf(quantity, { summary, inputShown: 0, readouts: null });
     const coordinate = coordinateOf(summary);

@@ -84,8 +84,8 @@ function aside({ middles, widths, tall, room, labels }, lefts) {
  */
 function freeTop(tag, labels, first, last) {
   const tall = tag.bottom - tag.top;
-  const beside = labels.flatMap(({ top, bottom }) => [top - tall - 1, bottom + 1]);
-  const near = [tag.top, first, last - tall, ...beside].filter((top) => top >= first && top + tall <= last && Math.abs(top - tag.top) <= FARTHEST * tall);
+  const edges = labels.flatMap(({ top, bottom }) => [top - tall - 1, bottom + 1]);
+  const near = [tag.top, first, last - tall, ...edges].filter((top) => top >= first && top + tall <= last && Math.abs(top - tag.top) <= FARTHEST * tall);
   const free = near.filter((top) => isFree({ ...tag, top, bottom: top + tall }, labels)).sort((a, b) => Math.abs(a - tag.top) - Math.abs(b - tag.top));
   return free[0] ?? tag.top;
 }

@@ -29,7 +29,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  *   frameInput: number,
  *   readouts: Readouts | null,
  *   plotted: Float64Array | null,
- *   compared: import("assur/state/compared.js").Beside | null,
+ *   compared: import("assur/state/compared.js").Comparison | null,
  *   compares: boolean,
  *   problems: readonly Problem[],
  *   stale: boolean,
@@ -106,7 +106,7 @@ export class Model {
   #readouts = null;
   /** @type {Float64Array | null} */
   #plotted = null;
-  /** @type {import("assur/state/compared.js").Beside | null} */
+  /** @type {import("assur/state/compared.js").Comparison | null} */
   #compared = null;
   /** @type {readonly Problem[]} */
   #refused = [];

@@ -203,9 +203,9 @@ test("what is compared is read at the same input, and only where it changes it i
   const { engine, update, now } = begin("mixer-a");
   const { document } = now().state;
   const compared = { kind: "mixer", document };
-  const beside = update((state) => withExtras(state, { compared }));
-  assert.equal(beside.compares, true);
-  assert.deepEqual(beside.compared.readouts, beside.readouts);
+  const both = update((state) => withExtras(state, { compared }));
+  assert.equal(both.compares, true);
+  assert.deepEqual(both.compared.readouts, both.readouts);
   // By the same axes, with the same rates of the driver, and what is measured of both.
   const byTime = update((state) => withView(state, { axes: "physical", omega: 2, epsilon: 3, measures: ["A-C.distance"] }));
   assert.deepEqual(byTime.compared.readouts, byTime.readouts);

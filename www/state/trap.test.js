@@ -119,7 +119,7 @@ for (const [name, call] of Object.entries({ chart: () => engine.chart(new Contex
 test("a simulator beside overflows, and what is compared comes again with the next state", (t) => {
   quiet(t);
   engine.set(shared);
-  assert.throws(() => engine.beside((other) => {
+  assert.throws(() => engine.withScratchSimulator((other) => {
     other.set(state);
     exhaust();
     return other.at(INPUT);

@@ -113,8 +113,8 @@ export class LinkageRail {
     const symbol = lettered(plain, isOffset ? [point] : points);
     const by = (/** @type {readonly string[]} */ ends) => (isPoint ? name : calledBy(name, ends, words));
     const n = by(isOffset ? [toLine(point, line)] : kind === "length" ? [] : points);
-    const beside = symbol === plain ? n : isOffset ? between(line) : by([]);
-    const row = { field, id, key, symbol, n, name: beside, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
+    const shownName = symbol === plain ? n : isOffset ? between(line) : by([]);
+    const row = { field, id, key, symbol, n, name: shownName, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
     return new NumberRow(row, drafts, (value) => this.#change((input) => engine.simulator.setDimension(field, value, input), field));
   }
 }
