@@ -2,7 +2,7 @@
 import { commands as makeCommands } from "assur/app/commands.js";
 import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
-import { chooseLanguage, speak } from "assur/app/language.js";
+import { chooseLanguage, writeTexts } from "assur/app/language.js";
 import { Loop } from "assur/app/loop.js";
 import { LOST, NO_PLOTS, Notices, UNKEPT } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
@@ -101,7 +101,7 @@ export class Page {
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, this.ofNow())));
     chooseLanguage(this);
     welcome(this);
-    speak(this.words);
+    writeTexts(this.words);
   }
 
   /** Draws the page for the first time. */
@@ -216,17 +216,17 @@ export class Page {
   }
 
   /** @param {Words} words words of the new language */
-  hear(words) {
-    this.#say(words);
+  setLanguage(words) {
+    this.#applyWords(words);
     this.redraw();
   }
 
   /** @param {Words} words words of the page; their unit of length is replaced by the document's */
-  #say(words) {
+  #applyWords(words) {
     const measured = words.measured(this.engine.lengths);
     if (measured === this.words) return;
     this.words = measured;
-    speak(measured);
+    writeTexts(measured);
   }
 
   /** @param {number} dt seconds */
@@ -244,7 +244,7 @@ export class Page {
       this.model.follow(this.store.get());
     }
     const state = this.store.get();
-    this.#say(this.words);
+    this.#applyWords(this.words);
     const numbersDue = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
     if (numbersDue) this.#unwritten = 0;
     this.theme.project(state.view.projector);

@@ -172,7 +172,7 @@ export class Measures {
     if (on && drawing) return;
     this.#picked = on ? [] : null;
     this.#pick.setAttribute("aria-pressed", String(on));
-    if (!drawing) this.#page.pointer.lend(on ? this : null);
+    if (!drawing) this.#page.pointer.setTool(on ? this : null);
     this.#page.mechanism.ring("");
     setData(byId("mechanism", HTMLElement), "tracing", String(on));
   }

@@ -83,7 +83,7 @@ export class Drawing {
     this.#selection.clear();
     this.#work.rest();
     unsay(this.#page);
-    pointer.lend(on ? this.#hand : null);
+    pointer.setTool(on ? this.#hand : null);
     mechanism.keep(on, on ? this.#palette.height : 0);
     if (on) this.#palette.take("select");
   }

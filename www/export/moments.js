@@ -10,7 +10,7 @@ import { Refusal, attempt } from "assur/core/problem.js";
  */
 
 /** Tolerance within which an input beyond the end of an arc counts as on the arc, in the engine's unit. */
-const HAIR = 1e-9;
+const END_TOLERANCE = 1e-9;
 
 /**
  * @param {Page} page
@@ -24,7 +24,7 @@ export function inputs({ model: { summary, coordinate }, store }, count) {
   const here = coordinate.input(coordinate.of(store.get()));
   const steps = Array.from({ length: count }, (_, number) => number / count);
   if (full) return steps.map((step) => start + modulo(here - start + step * (end - start), end - start));
-  const [from, to] = arcs.find(([first, last]) => here >= first - HAIR && here <= last + HAIR) ?? arcs[0] ?? [start, end];
+  const [from, to] = arcs.find(([first, last]) => here >= first - END_TOLERANCE && here <= last + END_TOLERANCE) ?? arcs[0] ?? [start, end];
   // Time does not run backwards.
   if (summary.moves === "time") return steps.map((step) => from + step * (to - from));
   return steps.map((step) => from + (to - from) * (1 - Math.abs(1 - 2 * step)));

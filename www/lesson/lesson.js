@@ -189,7 +189,7 @@ export class Lesson {
         this.#shown = id;
         this.#panel = new LessonPanel(this.#container, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id), items, entry.notes), text);
       }
-      this.#panel?.speak(text);
+      this.#panel?.setWords(text);
     } };
   }
 }

@@ -154,7 +154,7 @@ export class LessonPanel {
   }
 
   /** @param {Words} words */
-  speak(words) {
+  setWords(words) {
     this.#words = words;
     this.#steps = this.#source.tell(words);
   }

@@ -4,11 +4,11 @@
 
 /**
  * @param {Panel} panel
- * @param {number} phi the input
+ * @param {number} input
  * @returns {number} CSS pixels from the left
  */
-export function across(panel, phi) {
-  return panel.left + (panel.width * (phi - panel.x0)) / (panel.x1 - panel.x0);
+export function across(panel, input) {
+  return panel.left + (panel.width * (input - panel.x0)) / (panel.x1 - panel.x0);
 }
 
 /**

@@ -12,7 +12,7 @@ import { TRACERS, withView } from "assur/state/state.js";
  * @typedef {{
  *   hover(at: Pixel, event: PointerEvent): void, leave(): void, press(at: Pixel, event: PointerEvent): void,
  *   grab(at: Pixel, event: PointerEvent): Drag | null,
- * }} Hand tool that receives the pointer's actions instead of the joints
+ * }} PointerTool tool that receives the pointer's actions instead of the joints
  */
 
 /** Greatest distance at which a pointer takes hold of a joint, in pixels: for a mouse or pen, and for a finger. */
@@ -49,8 +49,8 @@ export class MechanismPointer {
   #tracing = false;
   #draw = byId("draw", HTMLButtonElement);
   #trace = byId("trace", HTMLButtonElement);
-  /** @type {Hand | null} the tool that receives the pointer's actions instead of the joints */
-  #hand = null;
+  /** @type {PointerTool | null} the tool that receives the pointer's actions instead of the joints */
+  #tool = null;
   /** @type {{ from: Pixel, still: boolean, drag: Drag | null } | null} the current press or drag of the tool */
   #work = null;
 
@@ -72,9 +72,9 @@ export class MechanismPointer {
     canvas.addEventListener("pointercancel", (event) => this.#up(event));
     canvas.addEventListener("pointerleave", () => {
       this.#show(this.#taken?.name ?? "");
-      this.#hand?.leave();
+      this.#tool?.leave();
     });
-    canvas.addEventListener("dblclick", () => this.#hand ?? view.fit());
+    canvas.addEventListener("dblclick", () => this.#tool ?? view.fit());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     // While the drawing is not zoomed, one finger scrolls the page unless it starts at a joint. Two fingers zoom.
     canvas.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
@@ -94,11 +94,11 @@ export class MechanismPointer {
     setData(this.#canvas, "tracing", String(this.#tracing));
   }
 
-  /** @param {Hand | null} hand tool that receives the pointer's actions; null for the joints */
-  lend(hand) {
-    this.#hand = hand;
+  /** @param {PointerTool | null} tool that receives the pointer's actions; null for the joints */
+  setTool(tool) {
+    this.#tool = tool;
     this.#work = null;
-    setData(this.#canvas, "lent", String(hand !== null));
+    setData(this.#canvas, "lent", String(tool !== null));
   }
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
@@ -122,8 +122,8 @@ export class MechanismPointer {
       this.#work = null;
       return;
     }
-    if (this.#hand) {
-      this.#work = { from: at, still: true, drag: this.#hand.grab(at, event) };
+    if (this.#tool) {
+      this.#work = { from: at, still: true, drag: this.#tool.grab(at, event) };
       return;
     }
     const joint = this.#tracing ? this.#put(at) : this.#near(at, event.pointerType);
@@ -143,8 +143,8 @@ export class MechanismPointer {
   #move(event) {
     const at = this.#pixelOf(event);
     const from = this.#pointers.get(event.pointerId);
-    if (!from && this.#hand) {
-      this.#hand.hover(at, event);
+    if (!from && this.#tool) {
+      this.#tool.hover(at, event);
       return;
     }
     if (!from) {
@@ -168,9 +168,9 @@ export class MechanismPointer {
     if (!this.#pointers.delete(event.pointerId)) return;
     const work = this.#work;
     this.#work = null;
-    if (work && this.#hand) {
+    if (work && this.#tool) {
       if (!work.still) work.drag?.end();
-      else if (event.type === "pointerup") this.#hand.press(this.#pixelOf(event), event);
+      else if (event.type === "pointerup") this.#tool.press(this.#pixelOf(event), event);
       setData(this.#canvas, "hand", "");
       return;
     }
@@ -271,7 +271,7 @@ export class MechanismPointer {
   /** @param {TouchEvent} event */
   #touch(event) {
     const [touch] = event.touches;
-    const ours = event.touches.length > 1 || this.#hand || this.#view.zoomed || this.#tracing || this.#near(this.#pixelOf(touch), "touch");
+    const ours = event.touches.length > 1 || this.#tool || this.#view.zoomed || this.#tracing || this.#near(this.#pixelOf(touch), "touch");
     if (ours && event.cancelable) event.preventDefault();
   }
 

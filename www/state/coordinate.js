@@ -26,7 +26,7 @@ const STEPS = 100;
 const MAX_TIME = 1e6;
 
 /** Fraction of a span of time that is too small to see. */
-const HAIR = 1e-9;
+const INVISIBLE_SHARE = 1e-9;
 
 /** Fields of the view that hold an input of any kind. */
 export const VIEW_KEYS = Object.freeze(Object.values(SORTS).map(({ viewKey }) => viewKey));
@@ -81,7 +81,7 @@ export class Coordinate {
    */
   last(inputShown) {
     const { end } = this.axis(inputShown);
-    return this.#goesOn ? end * (1 - HAIR) : end;
+    return this.#goesOn ? end * (1 - INVISIBLE_SHARE) : end;
   }
 
   /** Small step in which the input is moved by hand, in the reader's unit. */

@@ -116,7 +116,7 @@ for (const [name, call] of Object.entries({ chart: () => engine.chart(new Contex
   });
 }
 
-test("a simulator beside overflows, and what is compared comes again with the next state", (t) => {
+test("a scratch simulator overflows, and what is compared comes again with the next state", (t) => {
   quiet(t);
   engine.set(shared);
   assert.throws(() => engine.withScratchSimulator((other) => {
