@@ -6,7 +6,7 @@ import { Refusal, attempt } from "assur/core/problem.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels,
  * and duration of a period in seconds
- * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work work that can be cancelled and reports its progress
+ * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Job work that can be cancelled and reports its progress
  */
 
 /** Tolerance within which an input beyond the end of an arc counts as on the arc, in the engine's unit. */
@@ -56,7 +56,7 @@ export function others(page, count) {
  * Yields the moments of the present mechanism in turn. Between two moments the page may do other work.
  * @param {Page} page
  * @param {readonly number[]} inputs of the engine
- * @param {Work} work
+ * @param {Job} work
  * @returns {AsyncGenerator<Moment>}
  */
 export function moments(page, inputs, work) {
@@ -67,7 +67,7 @@ export function moments(page, inputs, work) {
  * @param {Page["model"]["lastAccepted"]["document"]} document of the mechanism
  * @param {Page} page
  * @param {readonly number[]} inputs
- * @param {Work} work
+ * @param {Job} work
  * @returns {AsyncGenerator<Moment>}
  */
 async function* momentsOf(document, page, inputs, { signal, tell }) {

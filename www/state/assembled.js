@@ -3,7 +3,7 @@ import { attempt } from "assur/core/problem.js";
 
 /**
  * @typedef {{ number: number, count: number, complete: boolean } | null} Assembled the moving assembly at the drawn
- * input; null if unknown. `number`: its number, from 1. `count`: number of assemblies known there. `whole`: whether
+ * input; null if unknown. `number`: its number, from 1. `count`: number of assemblies known there. `complete`: whether
  * these are all
  * @typedef {Pick<import("assur/pkg/assur_web.js").Simulator, "assemblies">} Simulator
  */
