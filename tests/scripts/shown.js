@@ -1,6 +1,6 @@
 // What the read-outs of the page have, by their ids, from the same summary and values.
 import { readoutOf } from "assur/core/symbols.js";
-import { written } from "assur/plots/values.js";
+import { quantityText } from "assur/plots/values.js";
 import { Drafts } from "assur/state/drafts.js";
 import { Model } from "assur/state/model.js";
 import { wordsOf } from "assur/tests/words.js";
@@ -35,7 +35,7 @@ export function readoutsOf({ summary, inputShown, readouts, words }) {
   for (const { name, what } of summary.listed ?? []) {
     for (const [order, stroke] of STROKES.entries()) {
       const value = readouts?.[name + stroke];
-      if (value !== undefined) shown[readoutOf(name, order)] = written(value, what, order, words).value;
+      if (value !== undefined) shown[readoutOf(name, order)] = quantityText(value, what, order, words).value;
     }
   }
   for (const [id, value] of Object.entries(STATUS)) {

@@ -7,7 +7,7 @@ import { Seen } from "assur/core/seen.js";
 import { isLength, readoutOf } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
 import { differenceOf, whose } from "assur/plots/readouts.js";
-import { titled, writtenLevel, written } from "assur/plots/units.js";
+import { axisTitle, axisValueText, levelText } from "assur/plots/units.js";
 import { moves } from "assur/state/model.js";
 
 /**
@@ -170,10 +170,10 @@ function plots(snapshot, { panels, against }) {
     const curves = panel.series.map((one) => {
       const marks = panel.marks.filter((mark) => mark.role === one.role);
       const row = listed.find(({ name }) => name === one.name);
-      const level = one.level === null ? [] : [words.text("plots.throughout", { value: writtenLevel(panel, one.level, words.numbers) })];
+      const level = one.level === null ? [] : [words.text("plots.throughout", { value: levelText(panel, one.level, words.numbers) })];
       return [row ? listedName(row, words) : one.name, ...level, ...peaks(panel, marks, coordinate, words)].join(", ");
     });
-    return `${titled(panel, coordinate, words)}: ${curves.join("; ")}.`;
+    return `${axisTitle(panel, coordinate, words)}: ${curves.join("; ")}.`;
   });
   const [turns, most] = [unsearched?.turns, unsearched?.most].map((count) => words.numbers.exact(count ?? 0));
   return [axis, ...told, ...(unsearched ? [words.text("plots.unsearched", { turns, most })] : [])].join(" ");
@@ -191,7 +191,7 @@ function peaks(panel, marks, coordinate, words) {
     const sense = kind === "max" ? -1 : 1;
     const [peak] = marks.filter((mark) => mark.kind === kind).sort((a, b) => sense * (a.value - b.value));
     if (!peak) return [];
-    const value = written(panel, peak.value, words.numbers);
+    const value = axisValueText(panel, peak.value, words.numbers);
     return [words.text(`told.${kind}`, { value, angle: coordinate.text(peak.phi, words, 1) })];
   });
 }

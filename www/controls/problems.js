@@ -100,7 +100,7 @@ function ofLink({ name, points }, dimension, indices, words) {
  * @returns {string}
  */
 export function sentence(problem, words, document, onto) {
-  return said(keyOf(problem, document), problem, words, document, onto);
+  return sentenceFor(keyOf(problem, document), problem, words, document, onto);
 }
 
 /**
@@ -120,7 +120,7 @@ function keyOf({ code, field = "" }, document) {
  * @returns {string}
  */
 export function lossOf(loss, words) {
-  return said(`import.${loss.code}`, loss, words);
+  return sentenceFor(`import.${loss.code}`, loss, words);
 }
 
 /**
@@ -130,7 +130,7 @@ export function lossOf(loss, words) {
  * @param {Document} [document]
  * @param {(angle: number) => number} [onto]
  */
-function said(key, problem, words, document, onto = (angle) => angle) {
+function sentenceFor(key, problem, words, document, onto = (angle) => angle) {
   if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
   /** @type {Record<string, string>} */
   const values = {};

@@ -238,7 +238,7 @@ export class DrawingRail {
       this.#keep();
       return value();
     });
-    this.#numbers.push(() => shown.show(value(), written(value(), this.#page.words), false));
+    this.#numbers.push(() => shown.show(value(), coordinateTexts(value(), this.#page.words), false));
     return [make("span", {}, [words.text(`draw.${what}`)]), input];
   }
 
@@ -252,7 +252,7 @@ export class DrawingRail {
     if (!this.#seen.points.same(words, names)) this.#build(points, words);
     this.#rows.forEach(({ name, label, boxes }, k) => {
       const position = this.#positions.get(name) ?? points[k].at;
-      boxes.forEach((box, axis) => box.show(position[axis], written(position[axis], words), false));
+      boxes.forEach((box, axis) => box.show(position[axis], coordinateTexts(position[axis], words), false));
       const selected = String(this.#selection.points.has(name));
       if (label.dataset.selected !== selected) label.dataset.selected = selected;
     });
@@ -300,7 +300,7 @@ export class DrawingRail {
  * @param {number} value
  * @param {Words} words
  */
-function written(value, { numbers }) {
+function coordinateTexts(value, { numbers }) {
   return { brief: numbers.short(value), full: numbers.exact(value) };
 }
 

@@ -4,7 +4,7 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { paintTag } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
-import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
+import { axisValueText, inDegrees, power, unitOf } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/types/web.js").AgainstLayout} XyPlot
@@ -54,7 +54,7 @@ export function axisName({ name, number, order }, { physical }, { coordinate, wo
  * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
  * @returns {string} the symbol of the axis with its unit
  */
-function titled(axis, plot, { coordinate, words }) {
+function xyAxisTitle(axis, plot, { coordinate, words }) {
   const time = axis.name === null && coordinate.moves === "time";
   const unit = time ? words.text("unit.s") : unitOf(scale(axis, plot), coordinate, words);
   return [axisName(axis, plot, { coordinate, words }), ...(unit === "" ? [] : [unit])].join(", ");
@@ -68,8 +68,8 @@ function titled(axis, plot, { coordinate, words }) {
  * @param {import("assur/core/words.js").Words} words
  * @param {boolean} [moving]
  */
-export function told(axis, plot, value, { numbers }, moving = false) {
-  return written(scale(axis, plot), value, numbers, moving);
+export function xyValueText(axis, plot, value, { numbers }, moving = false) {
+  return axisValueText(scale(axis, plot), value, numbers, moving);
 }
 
 /**
@@ -88,10 +88,10 @@ export function drawAgainstText(context, plot, snapshot, theme) {
   context.textBaseline = "alphabetic";
   context.textAlign = "left";
   context.fillStyle = theme.inks[role];
-  context.fillText(`↑ ${titled(y, plot, snapshot)}`, left, top - 9 * theme.scale, width);
+  context.fillText(`↑ ${xyAxisTitle(y, plot, snapshot)}`, left, top - 9 * theme.scale, width);
   context.textAlign = "right";
   context.fillStyle = theme.colours.ink;
-  context.fillText(`${titled(x, plot, snapshot)} →`, right, bottom + 34 * theme.scale, width);
+  context.fillText(`${xyAxisTitle(x, plot, snapshot)} →`, right, bottom + 34 * theme.scale, width);
   const font = setChartFont(context, theme);
   context.fillStyle = theme.colours.secondary;
   const texts = (/** @type {Axis} */ axis) => {
@@ -150,7 +150,7 @@ export function drawAgainstCursor(context, plot, values, { coordinate, state, wo
   const { playing } = state.view;
   const numbers = [x, y].map((axis, i) => {
     const hidden = axis.name !== null && withheld.has(readoutOf(axis.name, axis.order));
-    return hidden ? "?" : told(axis, plot, values[i], words, playing);
+    return hidden ? "?" : xyValueText(axis, plot, values[i], words, playing);
   }).join("; ");
   const text = input === undefined ? numbers : `${coordinate.text(input, words, 1)}: ${numbers}`;
   const font = setChartFont(context, theme);
@@ -223,7 +223,7 @@ export function described(plot, { coordinate, words }) {
   const points = curve.flatMap((run) => run.flatMap((_, i) => (i % 3 === 0 ? [[run[i], run[i + 1]]] : [])));
   const said = (/** @type {Axis} */ axis, /** @type {number[]} */ values) => {
     const input = axis.name === null;
-    const [from, to] = [Math.min(...values), Math.max(...values)].map((value) => (input ? coordinate.text(value, words, 1) : told(axis, plot, value, words)));
+    const [from, to] = [Math.min(...values), Math.max(...values)].map((value) => (input ? coordinate.text(value, words, 1) : xyValueText(axis, plot, value, words)));
     return words.text("told.spans", { name: axisName(axis, plot, { coordinate, words }), from, to });
   };
   const across = points.map(([at]) => x.from + ((x.to - x.from) * (at - left)) / width);

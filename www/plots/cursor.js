@@ -8,7 +8,7 @@ import { drawAgainstCursor } from "assur/plots/against.js";
 import { across, down, shows } from "assur/plots/panel.js";
 import { paintTag, placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
-import { written } from "assur/plots/units.js";
+import { axisValueText } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/canvas/boxes.js").Box} Box
@@ -153,7 +153,7 @@ export class ChartCursor {
     for (const [i, { name, role }] of panel.series.entries()) {
       const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : written(panel, value, words.numbers, state.view.playing);
+      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);

@@ -4,7 +4,7 @@ import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, isLength, letterOfAngle, readoutOf, subscript, symbol } from "assur/core/symbols.js";
-import { written } from "assur/plots/values.js";
+import { quantityText } from "assur/plots/values.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
@@ -45,7 +45,7 @@ export class ReadoutTable {
     this.#input.dataset.value = String(inputShown);
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
-      const said = value === undefined ? null : written(value, listed.what, order, words);
+      const said = value === undefined ? null : quantityText(value, listed.what, order, words);
       if (withheld.has(readoutOf(listed.name, order))) withhold(output, words);
       else writeReadout(output, said?.text ?? NONE, said?.value);
     }
@@ -59,7 +59,7 @@ export class ReadoutTable {
       const [a, b] = [compared?.readouts?.[name], readouts?.[name]];
       const difference = differenceOf(listed.what, order, a, b);
       for (const [value, output] of /** @type {const} */ ([[a, outputs.a], [difference, outputs.difference]])) {
-        const said = value === undefined ? null : written(value, listed.what, order, words);
+        const said = value === undefined ? null : quantityText(value, listed.what, order, words);
         // The difference from A would give a withheld value away.
         if (output === outputs.difference && withheld.has(readoutOf(listed.name, order))) withhold(output, words);
         else writeReadout(output, said?.text ?? NONE, said?.value);

@@ -20,7 +20,7 @@ export class TrainDescription {
   render({ summary, words, stale, withheld }) {
     if (this.#shown.same(summary, words, stale, withheld) || stale) return;
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => write(this.#element, told(summary, words, withheld)), PAUSE);
+    this.#timer = setTimeout(() => write(this.#element, speedsText(summary, words, withheld)), PAUSE);
   }
 }
 
@@ -29,7 +29,7 @@ export class TrainDescription {
  * @param {Snapshot["words"]} words
  * @param {ReadonlySet<string>} withheld
  */
-function told({ speeds, slips }, words, withheld) {
+function speedsText({ speeds, slips }, words, withheld) {
   const said = Object.fromEntries(Object.entries(speeds).map(([body, speed]) => [body, withheld.has(`train-${body}`) ? "?" : words.numbers.upTo(speed, 2)]));
   const parts = [words.text("told.train", said)];
   if (slips) parts.push(words.text("told.slipped", { sun: words.numbers.exact(slips[0]), ring: words.numbers.exact(slips[1]) }));

@@ -49,7 +49,7 @@ export class FunctionView {
     if (this.#shown.same(wanted, isDrawn, error, words)) return;
     this.#there.hidden = !isDrawn || !wanted || !error;
     if (!isDrawn || !wanted || !error) return;
-    write(this.#said, said(wanted, error, words));
+    write(this.#said, errorText(wanted, error, words));
     const most = Math.abs(error.greatest?.[1] ?? 0);
     this.#plot.replaceChildren(path(`M0 ${HIGH / 2}H${WIDE}`, "line"), path(curve(error, wanted.x, most), "rocker"));
     const x = wanted.x.map((end) => words.numbers.short(end));
@@ -74,7 +74,7 @@ export function formula(of, words) {
  * @param {Error} error
  * @param {Words} words
  */
-function said({ of }, { greatest, complete }, words) {
+function errorText({ of }, { greatest, complete }, words) {
   const name = formula(of, words);
   if (!greatest) return words.text("function.unreached", { name });
   const [x, error] = greatest.map((value) => words.numbers.short(value));
