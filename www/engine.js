@@ -7,14 +7,14 @@ import { withAssembled } from "assur/state/assembled.js";
 import { Catalogue } from "assur/state/catalogue.js";
 import { Compared, discard } from "assur/state/compared.js";
 import { Names, byName } from "assur/state/readouts.js";
-import { alone } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 import * as module from "assur/pkg/assur_web.js";
 
 /**
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/types/web.js").Summaries} Summaries
- * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} Placed
+ * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} PoseData
  * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
  */
 
@@ -25,7 +25,7 @@ export class Engine {
   functions = guarded(() => module, (call) => this.ask(call));
   #simulator = new module.Simulator();
   /** @type {State | null} the last state that the simulator accepted */
-  #good = null;
+  #lastAccepted = null;
   #compared = new Compared(() => new module.Simulator());
   /** Number of earlier instances of the module. */
   #instances = 0;
@@ -57,14 +57,14 @@ export class Engine {
   set(state) {
     const summary = this.ask(() => {
       const simulator = this.#simulator;
-      const taken = simulator.set(alone(state));
+      const taken = simulator.set(withoutExtras(state));
       this.names = this.names.updated(simulator.readoutNames());
       this.labels = simulator.labelNames();
       this.lengths = simulator.lengths();
       this.choosesLengths = simulator.choosesLengths();
       return withAssembled(this.#compared.follow(state, taken), this.simulator);
     });
-    this.#good = state;
+    this.#lastAccepted = state;
     this.trapped = false;
     this.#outliveCompared();
     return /** @type {Summaries[K]} */ (summary);
@@ -85,12 +85,12 @@ export class Engine {
 
   /**
    * @param {number} input
-   * @returns {import("assur/state/compared.js").Beside | null} mechanism A at the input; null if it is hidden or cannot be assembled
+   * @returns {import("assur/state/compared.js").Comparison | null} mechanism A at the input; null if it is hidden or cannot be assembled
    */
   compared(input) {
-    const beside = this.#compared.at(input);
+    const compared = this.#compared.at(input);
     this.#outliveCompared();
-    return beside;
+    return compared;
   }
 
   /** Starts a new instance of the module if mechanism A broke the present one. */
@@ -106,7 +106,7 @@ export class Engine {
    * @param {(other: module.Simulator) => T} questions
    * @returns {T}
    */
-  beside(questions) {
+  withScratchSimulator(questions) {
     return this.ask(() => {
       const other = new module.Simulator();
       const instance = this.#instances;
@@ -122,7 +122,7 @@ export class Engine {
   /**
    * All values at an input, computed from one pose.
    * @param {number} input
-   * @returns {Placed}
+   * @returns {PoseData}
    */
   at(input) {
     const { frame, handles, readouts, plotted } = this.simulator.at(input);
@@ -171,20 +171,20 @@ export class Engine {
   }
 
   /**
-   * Starts a new instance of the module with the last good state. After a trap, the old instance is unusable: its
+   * Starts a new instance of the module with the last accepted state. After a trap, the old instance is unusable: its
    * stack stays full and its objects stay borrowed. All simulators of the old instance are lost.
    */
   #renew() {
     module.__wbg_reset_state();
     this.#instances += 1;
     this.#simulator = new module.Simulator();
-    const good = this.#good;
-    if (!good) return;
+    const state = this.#lastAccepted;
+    if (!state) return;
     try {
-      this.#simulator.set(alone(good));
+      this.#simulator.set(withoutExtras(state));
     } catch (thrown) {
       console.error(thrown);
-      this.#good = null;
+      this.#lastAccepted = null;
       this.#renew();
     }
   }

@@ -15,8 +15,8 @@ test("assemblies are found when they are first read, and only then", (t) => {
   const first = engine.set(stateOf(engine, "class4-dwell"));
   const second = engine.set(stateOf(engine, "class4-dwell"));
   assert.equal(asked, 0);
-  assert.deepEqual(second.assembled, { number: 3, count: 6, whole: true });
-  assert.deepEqual(second.assembled, { number: 3, count: 6, whole: true });
+  assert.deepEqual(second.assembled, { number: 3, count: 6, complete: true });
+  assert.deepEqual(second.assembled, { number: 3, count: 6, complete: true });
   assert.equal(asked, 1);
   // Those of a mechanism that is gone are not those of the one that is there.
   assert.equal(first.assembled, null);

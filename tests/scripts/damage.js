@@ -122,7 +122,7 @@ export function damagedFile(dice, kind) {
 }
 
 /** What else than document and view an address of a version holds. */
-const FURTHER = { 1: ["lesson"], 2: ["kind", "lesson", "compared"] };
+const EXTRAS = { 1: ["lesson"], 2: ["kind", "lesson", "compared"] };
 
 /**
  * @param {string} hash
@@ -150,7 +150,7 @@ export function held(hash) {
     }
     if (key.startsWith("d.")) put(state.document, key.slice(2), value);
     else if (key.startsWith("v.")) put(state.view, key.slice(2), value);
-    else if (FURTHER[version].includes(key)) put(state, key, value);
+    else if (EXTRAS[version].includes(key)) put(state, key, value);
   }
   return state;
 }

@@ -1,6 +1,6 @@
 // What the read-outs of the page have, by their ids, from the same summary and values.
 import { readoutOf } from "assur/core/symbols.js";
-import { written } from "assur/plots/values.js";
+import { quantityText } from "assur/plots/values.js";
 import { Drafts } from "assur/state/drafts.js";
 import { Model } from "assur/state/model.js";
 import { wordsOf } from "assur/tests/words.js";
@@ -30,12 +30,12 @@ export function snapshotOf(engine, state, words = wordsOf(state.view.lang)) {
  * @param {import("assur/state/model.js").AnySnapshot} snapshot
  * @returns {Record<string, number>} values by the ids of their read-outs, after `out-`
  */
-export function readoutsOf({ summary, place, readouts, words }) {
-  const shown = { input: place };
+export function readoutsOf({ summary, inputShown, readouts, words }) {
+  const shown = { input: inputShown };
   for (const { name, what } of summary.listed ?? []) {
     for (const [order, stroke] of STROKES.entries()) {
       const value = readouts?.[name + stroke];
-      if (value !== undefined) shown[readoutOf(name, order)] = written(value, what, order, words).value;
+      if (value !== undefined) shown[readoutOf(name, order)] = quantityText(value, what, order, words).value;
     }
   }
   for (const [id, value] of Object.entries(STATUS)) {

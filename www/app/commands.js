@@ -8,7 +8,7 @@ import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
-import { furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -34,7 +34,7 @@ export function commands(page) {
 function fileCommands(page) {
   const { engine, model, notices, store } = page;
   // The last document that the engine accepted, with the current lesson, comparison and picture.
-  const now = () => withFurther(model.good, furtherOf(store.get()));
+  const now = () => withExtras(model.lastAccepted, extrasOf(store.get()));
   const copy = async () => {
     const { link, copied } = await copyLink(now(), page.address);
     /** @type {readonly import("assur/app/notices.js").Done[]} */
@@ -54,7 +54,7 @@ function fileCommands(page) {
   };
   return {
     open: filePicker((file) => page.take(takeFile(file, engine, page.ofNow()))),
-    save: () => saveFile(now(), engine.catalogue.fileName(model.good)),
+    save: () => saveFile(now(), engine.catalogue.fileName(model.lastAccepted)),
     copy: () => (page.address.holds(now()) ? copy() : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
@@ -97,7 +97,7 @@ function motionCommands(page) {
     if (state.document !== previous.document) note(state);
   });
 
-  const place = () => model.coordinate.of(store.get());
+  const inputShown = () => model.coordinate.of(store.get());
   return {
     play: () => {
       drafts.drop(INPUT);
@@ -108,8 +108,8 @@ function motionCommands(page) {
     forward: () => page.step(1),
     back10: () => page.step(-10),
     forward10: () => page.step(10),
-    start: () => page.drive(model.coordinate.axis(place()).start),
-    end: () => page.drive(model.coordinate.last(place())),
+    start: () => page.drive(model.coordinate.axis(inputShown()).start),
+    end: () => page.drive(model.coordinate.last(inputShown())),
     faster: () => hasten(1),
     slower: () => hasten(-1),
     assembly1: () => assemble(1),

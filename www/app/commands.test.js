@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import "assur/tests/window.js";
-import { placed } from "assur/state/player.js";
+import { stoppedAt } from "assur/state/player.js";
 import { Address } from "assur/state/address.js";
-import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { wordsOf } from "assur/tests/words.js";
 
@@ -24,7 +24,7 @@ const { SPEEDS } = await import("assur/controls/transport.js");
 /** @param {string} id */
 function begin(id, view = {}) {
   const page = new Page(id, view);
-  page.drive = (place) => page.store.update((state) => placed(state, place, page.model));
+  page.drive = (inputShown) => page.store.update((state) => stoppedAt(state, inputShown, page.model));
   page.step = (count) => page.drive(page.model.coordinate.of(page.store.get()) + count * page.model.coordinate.step);
   page.address = new Address(page.engine, "en");
   page.notices = { told: [], tell: (lines) => (page.notices.told = lines.map((line) => lineOf(line, wordsOf("en")))) };
@@ -146,7 +146,7 @@ test("a copied link is said; that a long one may be cut on its way is said besid
   };
   const cut = "The link is long: messengers and mail programs may cut it. Save a file and send that instead.";
   assert.deepEqual(await copy(), ["Link copied."]);
-  const lesson = (letters) => page.store.update((state) => withFurther(state, { lesson: { title: "x".repeat(letters), steps: [] } }));
+  const lesson = (letters) => page.store.update((state) => withExtras(state, { lesson: { title: "x".repeat(letters), steps: [] } }));
   lesson(0);
   lesson(7999 - page.address.link(page.store.get()).length);
   assert.deepEqual([await copy(), clipboard.text.length], [["Link copied."], 7999]);

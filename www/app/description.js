@@ -7,7 +7,7 @@ import { Seen } from "assur/core/seen.js";
 import { isLength, readoutOf } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
 import { differenceOf, whose } from "assur/plots/readouts.js";
-import { titled, writtenLevel, written } from "assur/plots/units.js";
+import { axisTitle, axisValueText, levelText } from "assur/plots/units.js";
 import { moves } from "assur/state/model.js";
 
 /**
@@ -43,9 +43,9 @@ export class Description {
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
   render(snapshot) {
-    const { state, words, revision, problems, place, withheld } = snapshot;
+    const { state, words, revision, problems, inputShown, withheld } = snapshot;
     const { playing } = state.view;
-    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || place, withheld, ...problems.map(({ code }) => code))) return;
+    if (this.#shown.same(words, revision, this.#chart.panels, this.#chart.against, playing || inputShown, withheld, ...problems.map(({ code }) => code))) return;
     clearTimeout(this.#timer);
     if (playing || !moves(snapshot)) this.#fallSilent(snapshot);
     if (moves(snapshot)) this.#timer = setTimeout(() => this.#tell(snapshot), PAUSE);
@@ -64,14 +64,14 @@ export class Description {
 
   /** @param {Snapshot} snapshot */
   #tell(snapshot) {
-    const { state, words, revision, problems, place } = snapshot;
+    const { state, words, revision, problems, inputShown } = snapshot;
     write(this.#plots, plots(snapshot, this.#chart));
     if (state.view.playing) return;
     // Problems are announced by an element of their own as they arise; here they replace the description.
     const failed = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     const here = positions(snapshot);
     write(this.#drawing, [failed || drawing(snapshot), ...here].join(" "));
-    const moved = !this.#told.same(place, revision, words.lang);
+    const moved = !this.#told.same(inputShown, revision, words.lang);
     if (this.#asked && !failed && moved) write(this.#now, [pose(snapshot), ...here].join(" "));
     this.#asked = true;
   }
@@ -106,14 +106,14 @@ function pose(snapshot) {
     return `${listedName(one, words)} ${said}`;
   });
   const now = words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
-  return [now, ...beside(snapshot)].join(" ");
+  return [now, ...comparison(snapshot)].join(" ");
 }
 
 /**
  * A sentence with the output of the compared mechanism A, and the difference B − A; B is the shown mechanism.
  * @param {Snapshot} snapshot
  */
-function beside({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
+function comparison({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
   if (!compares) return [];
   if (!compared) return [words.text("compare.apart")];
   const output = listed.find(({ name }) => name === outputs[0]?.name) ?? listed[0];
@@ -146,11 +146,11 @@ function drawing(snapshot) {
  */
 function positions({ summary, coordinate, input, words }) {
   const limits = summary.outputs[0]?.limits ?? [];
-  const [limit, dead] = [limits, summary.dead_points].map((places) => places.map((one) => one.input));
+  const [limit, dead] = [limits, summary.dead_points].map((positions) => positions.map((one) => one.input));
   /** @type {[string, number[]][]} */
   const kinds = [["limit", limit], ["dead", dead], ["change", summary.change_points]];
-  return kinds.flatMap(([kind, places]) => {
-    const here = places.find((place) => coordinate.near(place, input));
+  return kinds.flatMap(([kind, inputs]) => {
+    const here = inputs.find((one) => coordinate.near(one, input));
     return here === undefined ? [] : [words.text(`told.${kind}`, { angle: coordinate.text(here, words, 1) })];
   });
 }
@@ -161,19 +161,19 @@ function positions({ summary, coordinate, input, words }) {
  */
 function plots(snapshot, { panels, against }) {
   if (against) return described(against, snapshot);
-  const { summary: { listed, unsearched }, coordinate, place, words } = snapshot;
+  const { summary: { listed, unsearched }, coordinate, inputShown, words } = snapshot;
   const { x0, x1 } = panels[0] ?? {};
-  const ends = x0 === undefined ? Object.values(coordinate.axis(place)) : [x0, x1].map((input) => coordinate.place(input));
+  const ends = x0 === undefined ? Object.values(coordinate.axis(inputShown)) : [x0, x1].map((input) => coordinate.inputShown(input));
   const [from, to] = ends.map((end) => coordinate.written(end, words, 1));
   const axis = words.text(`told.axis.${coordinate.moves}`, { from, to });
   const told = panels.map((panel) => {
     const curves = panel.series.map((one) => {
       const marks = panel.marks.filter((mark) => mark.role === one.role);
       const row = listed.find(({ name }) => name === one.name);
-      const level = one.level === null ? [] : [words.text("plots.throughout", { value: writtenLevel(panel, one.level, words.numbers) })];
+      const level = one.level === null ? [] : [words.text("plots.throughout", { value: levelText(panel, one.level, words.numbers) })];
       return [row ? listedName(row, words) : one.name, ...level, ...peaks(panel, marks, coordinate, words)].join(", ");
     });
-    return `${titled(panel, coordinate, words)}: ${curves.join("; ")}.`;
+    return `${axisTitle(panel, coordinate, words)}: ${curves.join("; ")}.`;
   });
   const [turns, most] = [unsearched?.turns, unsearched?.most].map((count) => words.numbers.exact(count ?? 0));
   return [axis, ...told, ...(unsearched ? [words.text("plots.unsearched", { turns, most })] : [])].join(" ");
@@ -191,7 +191,7 @@ function peaks(panel, marks, coordinate, words) {
     const sense = kind === "max" ? -1 : 1;
     const [peak] = marks.filter((mark) => mark.kind === kind).sort((a, b) => sense * (a.value - b.value));
     if (!peak) return [];
-    const value = written(panel, peak.value, words.numbers);
+    const value = axisValueText(panel, peak.value, words.numbers);
     return [words.text(`told.${kind}`, { value, angle: coordinate.text(peak.phi, words, 1) })];
   });
 }

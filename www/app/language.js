@@ -34,7 +34,7 @@ export function chooseLanguage(page) {
     const words = await Words.load(lang).catch(() => null);
     // Another choice may have been made during the load.
     if (store.get().view.lang !== lang) return;
-    if (words) page.hear(words);
+    if (words) page.setLanguage(words);
     // The words did not load: the state returns to the language of the page.
     else store.update((state) => withView(state, { lang: page.words.lang }));
     // A page embedded in another stores nothing.
@@ -46,7 +46,7 @@ export function chooseLanguage(page) {
  * Writes all texts of the page in the language of the words.
  * @param {Words} words
  */
-export function speak(words) {
+export function writeTexts(words) {
   document.documentElement.lang = words.lang;
   words.fill(document);
 }

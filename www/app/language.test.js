@@ -27,7 +27,7 @@ async function choose(t, lang, habits, load = async (/** @type {string} */ of) =
   t.mock.method(Words, "load", load);
   const select = new HTMLSelectElement();
   globalThis.document = { getElementById: () => select, createElement: () => ({ setAttribute() {}, append() {} }) };
-  const page = Object.assign(new Page("mixer-a"), { habits, hear() {} });
+  const page = Object.assign(new Page("mixer-a"), { habits, setLanguage() {} });
   // What the state says by itself, as that of a link, is no choice.
   chooseLanguage(page);
   assert.deepEqual([select.value, kept.size], ["en", 0]);

@@ -32,7 +32,7 @@ export const UNKEPT = Object.freeze({
 });
 
 export class Notices {
-  #place = byId("notice", HTMLElement);
+  #container = byId("notice", HTMLElement);
   #text = byId("notice-text", HTMLElement);
   #changed;
   /** @type {readonly (Failure | Done)[]} */
@@ -61,8 +61,8 @@ export class Notices {
     if (this.#shown[0] === this.#told && this.#shown[1] === words) return;
     this.#shown = [this.#told, words];
     const lines = this.#told.map((one) => lineOf(one, words));
-    this.#place.hidden = lines.length === 0;
-    this.#place.classList.toggle("good", this.#told.every((one) => isDone(one) || one.kind === "import"));
+    this.#container.hidden = lines.length === 0;
+    this.#container.classList.toggle("good", this.#told.every((one) => isDone(one) || one.kind === "import"));
     this.#text.replaceChildren(...lines.map((line) => make("p", {}, [line])));
   }
 }

@@ -3,7 +3,7 @@ import { Refusal, attempt } from "assur/core/problem.js";
 import { LANGUAGES } from "assur/core/words.js";
 import { fromAddress, fromFile } from "assur/state/codec.js";
 import { addressed } from "assur/state/address.js";
-import { initialState, usualView, withFurther } from "assur/state/state.js";
+import { initialState, usualView, withExtras } from "assur/state/state.js";
 import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.js";
 
 /**
@@ -67,11 +67,11 @@ async function take(kind, unwrap, engine, { calm, lang, embedding }) {
 export async function takeAddress(address, engine, habits) {
   const hash = addressed(address);
   if (hash === "") return null;
-  const whole = (/** @type {string} */ id) => {
+  const presetOf = (/** @type {string} */ id) => {
     const preset = engine.catalogue.preset(id);
     return preset && { kind: preset.kind, document: preset.document, view: usualView({ lang: habits.lang }) };
   };
-  return take("address", () => fromAddress(hash, whole), engine, habits);
+  return take("address", () => fromAddress(hash, presetOf), engine, habits);
 }
 
 /**
@@ -166,7 +166,7 @@ export async function open(engine, habits) {
     const { state } = address;
     const { state: last } = pictured ? await take("kept", kept, engine, habits) : { state: null };
     const same = last?.kind === state.kind && JSON.stringify(last.document) === JSON.stringify(state.document);
-    return same ? said(withFurther(state, { picture: last.picture })) : { state, failures };
+    return same ? said(withExtras(state, { picture: last.picture })) : { state, failures };
   }
   if (address) failures.push(address.failure);
   if (text !== null) {

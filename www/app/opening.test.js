@@ -4,7 +4,7 @@ import test, { beforeEach } from "node:test";
 import { lineOf } from "assur/app/notices.js";
 import { open, takeAddress, takeFile } from "assur/app/opening.js";
 import { toAddress, toFile } from "assur/state/codec.js";
-import { initialState, withDocument, withFurther, withView } from "assur/state/state.js";
+import { initialState, withDocument, withExtras, withView } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 import { readoutsOf, snapshotOf } from "assur/tests/shown.js";
 import { wordsOf } from "assur/tests/words.js";
@@ -118,7 +118,7 @@ test("where the browser keeps nothing the page opens all the same", async (t) =>
 test("a picture that was kept comes back behind the very same drawing, and behind no other", async () => {
   const image = `data:image/png;base64,${"A".repeat(200)}`;
   const picture = { image, at: [0, 0], width: 10, turn_deg: 0, opacity: 0.5 };
-  const state = engine.read(withFurther(stateOf(engine, "jansen"), { picture }));
+  const state = engine.read(withExtras(stateOf(engine, "jansen"), { picture }));
   const sign = `${image.length} ${image.slice(-48)}`;
   kept.set("assur.state", JSON.stringify({ ...state, picture: { ...state.picture, image: sign } }));
   kept.set("assur.image", image);

@@ -29,7 +29,7 @@ export class Pace {
    * @param {() => void} write
    * @returns {boolean} false if the views are not written yet; the caller then tries again
    */
-  keep(revision, write) {
+  run(revision, write) {
     if (Pace.#pressed && revision !== this.#revision) {
       if (performance.now() < this.#rests) return false;
       if (this.#long) {

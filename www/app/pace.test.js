@@ -75,7 +75,7 @@ function begin(t) {
   t.mock.timers.enable({ apis: ["setTimeout"] });
   t.mock.method(performance, "now", () => clock);
   const pace = new Pace();
-  const keep = (revision, took = 0) => pace.keep(revision, () => {
+  const keep = (revision, took = 0) => pace.run(revision, () => {
     clock += took;
     writes += 1;
   });

@@ -2,7 +2,7 @@
 import { commands as makeCommands } from "assur/app/commands.js";
 import { Header } from "assur/app/header.js";
 import { listen } from "assur/app/keys.js";
-import { chooseLanguage, speak } from "assur/app/language.js";
+import { chooseLanguage, writeTexts } from "assur/app/language.js";
 import { Loop } from "assur/app/loop.js";
 import { LOST, NO_PLOTS, Notices, UNKEPT } from "assur/app/notices.js";
 import { takeAddress } from "assur/app/opening.js";
@@ -22,7 +22,7 @@ import { choose } from "assur/state/change.js";
 import { Drafts, INPUT } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Model } from "assur/state/model.js";
-import { Player, placed } from "assur/state/player.js";
+import { Player, stoppedAt } from "assur/state/player.js";
 import { PARTS, withView } from "assur/state/state.js";
 import { persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
@@ -101,7 +101,7 @@ export class Page {
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, this.ofNow())));
     chooseLanguage(this);
     welcome(this);
-    speak(this.words);
+    writeTexts(this.words);
   }
 
   /** Draws the page for the first time. */
@@ -184,21 +184,21 @@ export class Page {
   choose(kind, document, edits = [], look = () => ({})) {
     const { store, model, address } = this;
     model.follow(store.get());
-    const before = model.good;
+    const before = model.lastAccepted;
     this.#player.begin();
     choose(kind, document, edits, look, this);
     // No address holds a document that the engine refuses.
     model.follow(store.get());
-    address.enter(before, model.good);
+    address.enter(before, model.lastAccepted);
   }
 
   /**
    * Sets the driver to a position chosen by the reader, and stops the motion there.
-   * @param {number} place of the driver, in the reader's unit
+   * @param {number} inputShown of the driver, in the reader's unit
    */
-  drive(place) {
+  drive(inputShown) {
     this.drafts.drop(INPUT);
-    this.store.update((state) => placed(state, place, this.model));
+    this.store.update((state) => stoppedAt(state, inputShown, this.model));
   }
 
   /**
@@ -216,17 +216,17 @@ export class Page {
   }
 
   /** @param {Words} words words of the new language */
-  hear(words) {
-    this.#say(words);
+  setLanguage(words) {
+    this.#applyWords(words);
     this.redraw();
   }
 
   /** @param {Words} words words of the page; their unit of length is replaced by the document's */
-  #say(words) {
+  #applyWords(words) {
     const measured = words.measured(this.engine.lengths);
     if (measured === this.words) return;
     this.words = measured;
-    speak(measured);
+    writeTexts(measured);
   }
 
   /** @param {number} dt seconds */
@@ -239,15 +239,15 @@ export class Page {
   #render() {
     this.model.follow(this.store.get());
     // The plotted quantity may have been removed along with a part of the mechanism.
-    if (this.model.astray) {
+    if (this.model.hasDanglingReference) {
       this.store.update((state) => withView(state, PARTS));
       this.model.follow(this.store.get());
     }
     const state = this.store.get();
-    this.#say(this.words);
-    const legible = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
-    if (legible) this.#unwritten = 0;
+    this.#applyWords(this.words);
+    const numbersDue = !state.view.playing || this.#unwritten >= WRITING_PERIOD;
+    if (numbersDue) this.#unwritten = 0;
     this.theme.project(state.view.projector);
-    this.#views.render(this.model.snapshot(state, this.words, legible));
+    this.#views.render(this.model.snapshot(state, this.words, numbersDue));
   }
 }

@@ -4,7 +4,7 @@ import { Seen } from "assur/core/seen.js";
 import { titleOf } from "assur/core/titles.js";
 
 export class Title {
-  #place = byId("mechanism-name", HTMLElement);
+  #heading = byId("mechanism-name", HTMLElement);
   #named = byId("mechanism", HTMLElement);
   #engine;
   #shown = new Seen();
@@ -19,9 +19,9 @@ export class Title {
     if (this.#shown.same(state.document, words)) return;
     const preset = this.#engine.catalogue.presetOf(state);
     const name = titleOf(state, this.#engine, words);
-    write(this.#place, name);
+    write(this.#heading, name);
     document.title = `${name} · Assur`;
-    this.#place.title = preset ? words.text(`about.${preset.id}`) : "";
+    this.#heading.title = preset ? words.text(`about.${preset.id}`) : "";
     this.#named.dataset.n = name;
     words.fill(this.#named.parentElement ?? this.#named);
   }

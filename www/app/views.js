@@ -90,8 +90,8 @@ export class Views {
     this.#rendering.all(this.#held, snapshot);
     const { revision } = snapshot;
     const { plots, others } = this.#paces;
-    const plotted = !moves(snapshot) || plots.keep(revision, () => this.#rendering.all(this.#plots, snapshot));
-    const written = others.keep(revision, () => this.#write(snapshot));
+    const plotted = !moves(snapshot) || plots.run(revision, () => this.#rendering.all(this.#plots, snapshot));
+    const written = others.run(revision, () => this.#write(snapshot));
     if (!plotted || !written) this.#page.redraw();
   }
 

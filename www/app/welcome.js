@@ -13,12 +13,12 @@ const NAME = "welcome";
  * @param {import("assur/app/page.js").Page} page
  */
 export function welcome(page) {
-  const place = byId("welcome", HTMLElement);
+  const container = byId("welcome", HTMLElement);
   const sent = addressed(location.href) !== "" || self !== top;
   if (sent || kept(NAME) !== null) return;
   const close = () => {
     keep(NAME, "closed");
-    place.hidden = true;
+    container.hidden = true;
   };
   byId("welcome-lessons", HTMLElement).append(...LESSONS.map((entry) => {
     const button = make("button", { id: `welcome-${entry.id}`, class: "control", type: "button", "data-t": `lessons.${entry.id}.title` });
@@ -35,7 +35,7 @@ export function welcome(page) {
   });
   // A reader with an open lesson needs no introduction.
   page.store.subscribe(({ view: { lesson } }) => {
-    if (lesson && !place.hidden) close();
+    if (lesson && !container.hidden) close();
   });
-  place.hidden = false;
+  container.hidden = false;
 }

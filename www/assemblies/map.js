@@ -49,7 +49,7 @@ export class BranchMap {
       return line;
     });
     const meetings = map.meetings.map(({ kind, branches, input: at, output: angle }) => {
-      const [x, y] = this.#place(at, angle);
+      const [x, y] = this.#onMap(at, angle);
       const dot = makeSvg("circle", { cx: x, cy: y, r: "4", class: kind });
       dot.style.stroke = colour(map.branches[branches[0]].circuit);
       if (kind === "fold") dot.style.fill = dot.style.stroke;
@@ -65,16 +65,16 @@ export class BranchMap {
   mark({ input, shown, angles }, branch) {
     for (const line of this.#branches.querySelectorAll("path")) line.classList.toggle("shown", branch !== null && line.getAttribute("data-branch") === String(branch));
     const along = this.#to - this.#from === TURN ? ((input % TURN) + TURN) % TURN : input;
-    const [x] = this.#place(along, 0);
+    const [x] = this.#onMap(along, 0);
     const line = makeSvg("line", { x1: x, x2: x, y1: TOP, y2: TOP + SIZE, class: "map-now" });
-    const dots = angles.map((angle, k) => makeSvg("circle", { cx: x, cy: this.#place(along, angle)[1], r: k === shown ? "6" : "3.5", class: k === shown ? "map-shown" : "map-other" }));
+    const dots = angles.map((angle, k) => makeSvg("circle", { cx: x, cy: this.#onMap(along, angle)[1], r: k === shown ? "6" : "3.5", class: k === shown ? "map-shown" : "map-other" }));
     this.#now.replaceChildren(line, ...dots);
   }
 
   /** @param {readonly number[]} piece */
   #path(piece) {
     const points = [];
-    for (let at = 0; at < piece.length; at += 2) points.push(this.#place(piece[at], piece[at + 1]).join(" "));
+    for (let at = 0; at < piece.length; at += 2) points.push(this.#onMap(piece[at], piece[at + 1]).join(" "));
     return `M${points.join("L")}`;
   }
 
@@ -82,7 +82,7 @@ export class BranchMap {
    * @param {number} input
    * @param {number} output
    */
-  #place(input, output) {
+  #onMap(input, output) {
     const x = LEFT + (SIZE * (input - this.#from)) / (this.#to - this.#from);
     const y = TOP + SIZE * (1 - output / TURN);
     return [x.toFixed(2), y.toFixed(2)];

@@ -87,8 +87,8 @@ export class Motions {
   async #begin() {
     const worker = new Worker(import.meta.resolve("assur/assemblies/worker.js"), { type: "module" });
     this.#worker = worker;
-    worker.addEventListener("message", ({ data }) => this.#hear(data));
-    worker.addEventListener("error", () => this.#hear({ lost: true, broken: true }));
+    worker.addEventListener("message", ({ data }) => this.#receive(data));
+    worker.addEventListener("error", () => this.#receive({ lost: true, broken: true }));
     try {
       const wasm = await compiledWasm();
       if (worker !== this.#worker) return;
@@ -99,7 +99,7 @@ export class Motions {
     } catch {
       if (worker !== this.#worker) return;
       this.#next = null;
-      this.#hear({ lost: true, broken: true });
+      this.#receive({ lost: true, broken: true });
     }
   }
 
@@ -110,7 +110,7 @@ export class Motions {
   }
 
   /** @param {{ revision?: number, map?: MotionsMap, belonging?: Belonging, lost?: boolean, broken?: boolean }} answer */
-  #hear({ revision, map, belonging, lost, broken }) {
+  #receive({ revision, map, belonging, lost, broken }) {
     const current = revision === this.#revision;
     if (map) {
       this.map = map;

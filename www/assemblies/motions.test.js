@@ -3,13 +3,13 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test, { afterEach } from "node:test";
 import { Motions } from "assur/assemblies/motions.js";
-import { alone, withDocument } from "assur/state/state.js";
+import { withDocument, withoutExtras } from "assur/state/state.js";
 import { WASM, newEngine, stateOf } from "assur/tests/engine.js";
 import { withoutStack } from "assur/tests/stack.js";
 import { Worker, endWorkers, fetchFile } from "assur/tests/worker.js";
 
 const engine = newEngine();
-const [rocker, class4] = ["crank-rocker", "class4-dwell"].map((id) => alone(stateOf(engine, id)));
+const [rocker, class4] = ["crank-rocker", "class4-dwell"].map((id) => withoutExtras(stateOf(engine, id)));
 
 /** A worker that never answers is a failure; in milliseconds. */
 const PATIENCE = Object.freeze({ timeout: 60_000 });

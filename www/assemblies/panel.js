@@ -71,7 +71,7 @@ export class Assemblies {
     this.#motions.of(snapshot.revision, state);
     this.#show(this.#here, snapshot);
     if (this.#due()) this.#paint(this.#here, snapshot);
-    if (snapshot.legible) this.#tell(this.#here, snapshot);
+    if (snapshot.numbersDue) this.#tell(this.#here, snapshot);
     this.#draw(this.#here, snapshot);
   }
 

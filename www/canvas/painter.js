@@ -96,19 +96,19 @@ export class Painter {
       const [x, y, angle] = poses[layer.body];
       const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
       for (const label of layer.labels) {
-        const whole = write(label.label);
-        const [, text = whole, low = ""] = INDEXED.exec(whole) ?? [];
+        const written = write(label.label);
+        const [, text = written, low = ""] = INDEXED.exec(written) ?? [];
         const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
         const wanted = { x: left, y: top, dx: label.dx * size, dy: -label.dy * size };
         const width = textWidth(context, font, text);
         const more = low === "" ? 0 : LOW.size * textWidth(context, font, low);
-        const place = places.take(label.label, wanted, width + more, size);
-        if (!place.free && small) continue;
+        const spot = places.take(label.label, wanted, width + more, size);
+        if (!spot.free && small) continue;
         const colour = this.#theme.colours[label.role];
-        this.#write(context, text, colour, place.x - more / 2, place.y);
+        this.#write(context, text, colour, spot.x - more / 2, spot.y);
         if (low === "") continue;
         context.font = `600 ${LOW.size * size}px ${this.#theme.font}`;
-        this.#write(context, low, colour, place.x + width / 2, place.y + LOW.below * size);
+        this.#write(context, low, colour, spot.x + width / 2, spot.y + LOW.below * size);
         context.font = font;
       }
     }

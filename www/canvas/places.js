@@ -3,7 +3,7 @@ import { isFree } from "assur/canvas/boxes.js";
 
 /**
  * @typedef {import("assur/canvas/boxes.js").Box} Box
- * @typedef {Readonly<{ width: number, height: number }>} Sheet size of the drawing, in CSS pixels
+ * @typedef {Readonly<{ width: number, height: number }>} Size of the drawing, in CSS pixels
  */
 
 /**
@@ -25,12 +25,12 @@ export class Places {
   #taken = [];
   /** @type {Map<string, number>} index in `SIDES` for each label that is not in its wanted place */
   #moved = new Map();
-  /** @type {Sheet} */
+  /** @type {Size} */
   #sheet = { width: 0, height: 0 };
 
   /**
    * Begins a new placement of all labels.
-   * @param {Sheet} sheet size of the drawing; a label does not leave it if the label's point is inside
+   * @param {Size} sheet size of the drawing; a label does not leave it if the label's point is inside
    */
   begin(sheet) {
     this.#taken = [];

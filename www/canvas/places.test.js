@@ -14,17 +14,17 @@ const at = (x, y) => ({ x, y, dx: 14, dy: -12 });
  * @param {Places} places
  * @param {Record<string, ReturnType<typeof at>>} labels
  */
-function placed(places, labels) {
+function spotsOf(places, labels) {
   places.begin(SHEET);
   return Object.fromEntries(Object.entries(labels).map(([name, wanted]) => [name, places.take(name, wanted, WIDTH, HEIGHT)]));
 }
 
 test("a label alone stands where it is wanted", () => {
-  assert.deepEqual(placed(new Places(), { A: at(100, 100) }).A, { x: 114, y: 88, free: true });
+  assert.deepEqual(spotsOf(new Places(), { A: at(100, 100) }).A, { x: 114, y: 88, free: true });
 });
 
 test("a label whose place is taken goes to the opposite side of its point", () => {
-  const { B } = placed(new Places(), { A: at(100, 100), B: at(100, 100) });
+  const { B } = spotsOf(new Places(), { A: at(100, 100), B: at(100, 100) });
   assert.deepEqual(B, { x: 86, y: 112, free: true });
 });
 
@@ -34,11 +34,11 @@ test("labels that are placed are not over each other, and stay on the sheet", ()
     let points = Array.from({ length: 14 }, () => at(dice.between(0, SHEET.width), dice.between(0, SHEET.height)));
     for (let frame = 0; frame < 20; frame++) {
       points = points.map(({ x, y }) => at(x + dice.between(-9, 9), y + dice.between(-9, 9)));
-      const boxes = Object.values(placed(places, points)).filter(({ free }) => free).map(boxOf);
+      const boxes = Object.values(spotsOf(places, points)).filter(({ free }) => free).map(boxOf);
       for (const [i, box] of boxes.entries()) {
         for (const other of boxes.slice(0, i)) assert.ok(apart(box, other), JSON.stringify([box, other]));
       }
-      for (const [i, box] of Object.values(placed(places, points)).map(boxOf).entries()) {
+      for (const [i, box] of Object.values(spotsOf(places, points)).map(boxOf).entries()) {
         const on = points[i].x >= 0 && points[i].x <= SHEET.width && points[i].y >= 0 && points[i].y <= SHEET.height;
         const within = box.left >= 0 && box.right <= SHEET.width && box.top >= 0 && box.bottom <= SHEET.height;
         if (on) assert.ok(within, JSON.stringify(box));
@@ -50,7 +50,7 @@ test("labels that are placed are not over each other, and stay on the sheet", ()
 test("a label is moved only where the wanted place is taken", () => {
   often(200, (dice) => {
     const points = Array.from({ length: 10 }, () => at(dice.between(30, 370), dice.between(30, 270)));
-    const found = Object.values(placed(new Places(), points));
+    const found = Object.values(spotsOf(new Places(), points));
     for (const [i, { x, y, free }] of found.entries()) {
       const wanted = { x: points[i].x + points[i].dx, y: points[i].y + points[i].dy };
       if (!free || (x === wanted.x && y === wanted.y)) continue;
@@ -64,7 +64,7 @@ test("a label is moved only where the wanted place is taken", () => {
 
 test("a label that has moved goes back with room to spare only, and does not flicker", () => {
   const places = new Places();
-  const frame = (off) => placed(places, { A: at(100, 100), B: at(100 + off, 100) }).B.x - (100 + off);
+  const frame = (off) => spotsOf(places, { A: at(100, 100), B: at(100 + off, 100) }).B.x - (100 + off);
   assert.equal(frame(0), -14);
   // Free by a pixel is not enough to go back; one height and a half to both sides is.
   assert.equal(frame(WIDTH + 1), -14);
@@ -77,7 +77,7 @@ test("a label that has moved goes back with room to spare only, and does not fli
 
 test("a label to and fro about the end of its room changes its side once", () => {
   const places = new Places();
-  const sides = Array.from({ length: 40 }, (_, i) => placed(places, { A: at(100, 100), B: at(129 + (i % 2) * 2, 100) }).B.x > 129 + (i % 2) * 2);
+  const sides = Array.from({ length: 40 }, (_, i) => spotsOf(places, { A: at(100, 100), B: at(129 + (i % 2) * 2, 100) }).B.x > 129 + (i % 2) * 2);
   assert.ok(new Set(sides.slice(1)).size === 1, String(sides));
 });
 
@@ -91,7 +91,7 @@ test("where no side is free a label is where it is wanted, and takes no room", (
 });
 
 test("a label of a point that is off the sheet is not drawn in", () => {
-  const { A, B } = placed(new Places(), { A: at(-200, 100), B: at(395, 5) });
+  const { A, B } = spotsOf(new Places(), { A: at(-200, 100), B: at(395, 5) });
   assert.deepEqual([A.x, A.y], [-186, 88]);
   assert.deepEqual([B.x, B.y], [SHEET.width - WIDTH / 2, HEIGHT / 2]);
 });

@@ -1,7 +1,7 @@
 // Comparison of the current mechanism B with an earlier one, A: buttons to keep B as A, exchange both, and remove A.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
-import { withFurther, withMechanism } from "assur/state/state.js";
+import { withExtras, withMechanism } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
@@ -19,14 +19,14 @@ function mechanism({ kind, document }) {
  */
 function exchanged(state) {
   const { compared } = state;
-  return compared ? withFurther(withMechanism(state, compared.kind, compared.document), { compared: mechanism(state) }) : state;
+  return compared ? withExtras(withMechanism(state, compared.kind, compared.document), { compared: mechanism(state) }) : state;
 }
 
 /** Changes of the state, by the names of the buttons that make them. */
 const ACTS = Object.freeze({
-  freeze: (/** @type {State} */ state) => withFurther(state, { compared: mechanism(state) }),
+  freeze: (/** @type {State} */ state) => withExtras(state, { compared: mechanism(state) }),
   swap: exchanged,
-  remove: (/** @type {State} */ state) => withFurther(state, { compared: undefined }),
+  remove: (/** @type {State} */ state) => withExtras(state, { compared: undefined }),
 });
 
 export class Comparing {

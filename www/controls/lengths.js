@@ -18,7 +18,7 @@ export class LengthUnits {
     this.#select.append(...UNITS.map((unit) => make("option", { value: unit, "data-t": `unit.${unit}` })));
     this.#select.addEventListener("change", () => {
       const unit = UNITS[this.#select.selectedIndex];
-      if (model.sound && engine.choosesLengths) store.update((state) => withDocument(state, { unit }));
+      if (model.accepted && engine.choosesLengths) store.update((state) => withDocument(state, { unit }));
     });
   }
 

@@ -172,12 +172,12 @@ export class Measures {
     if (on && drawing) return;
     this.#picked = on ? [] : null;
     this.#pick.setAttribute("aria-pressed", String(on));
-    if (!drawing) this.#page.pointer.lend(on ? this : null);
+    if (!drawing) this.#page.pointer.setTool(on ? this : null);
     this.#page.mechanism.ring("");
     setData(byId("mechanism", HTMLElement), "tracing", String(on));
   }
 
-  /** @param {import("assur/stage/pointer.js").Place} at */
+  /** @param {import("assur/stage/pointer.js").Pixel} at */
   hover(at) {
     this.#page.mechanism.ring(BETWEEN[this.#chosen].links ? "" : this.#near(at) ?? "");
   }
@@ -191,7 +191,7 @@ export class Measures {
     return null;
   }
 
-  /** @param {import("assur/stage/pointer.js").Place} at */
+  /** @param {import("assur/stage/pointer.js").Pixel} at */
   press(at) {
     const { count, links } = BETWEEN[this.#chosen];
     const part = links ? this.#link(at) : this.#near(at);
@@ -206,7 +206,7 @@ export class Measures {
   }
 
   /**
-   * @param {import("assur/stage/pointer.js").Place} at
+   * @param {import("assur/stage/pointer.js").Pixel} at
    * @returns {string | null} the nearest point; null if none is within reach
    */
   #near({ x, y }) {
@@ -227,7 +227,7 @@ export class Measures {
     return nearest;
   }
   /**
-   * @param {import("assur/stage/pointer.js").Place} at
+   * @param {import("assur/stage/pointer.js").Pixel} at
    * @returns {string | null} the nearest link; null if none is within reach
    */
   #link({ x, y }) {

@@ -42,7 +42,7 @@ export class NumberRow {
    * @param {(value: number) => void} set
    */
   constructor(kind, drafts, set) {
-    const { field, id = field, key = field, n = "", name: beside = n, symbol, role, slider } = kind;
+    const { field, id = field, key = field, n = "", name: shownName = n, symbol, role, slider } = kind;
     this.#kind = kind;
     this.#drafts = drafts;
     this.field = field;
@@ -51,7 +51,7 @@ export class NumberRow {
     const name = make("label", { class: "name", for: input.id }, [
       make("b", {}, withSubscripts(symbol)),
       // A symbol with the name as its subscript needs no words beside it.
-      ...(symbol.endsWith(`_${beside}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": beside })]),
+      ...(symbol.endsWith(`_${shownName}`) ? [] : [" ", make("span", { "data-t": `name.${key}`, "data-n": shownName })]),
     ]);
     this.element = make("div", { class: "row", "data-field": field, style: `--accent: var(--role-${role})` }, [name, input]);
     this.#range = slider;

@@ -61,16 +61,16 @@ function length({ field = "" }, value, words) {
  * @returns {string} name of the field, with the number of its entry in a list or the name of its shaft, link or point
  */
 export function fieldName(field, words, document) {
-  const [, of, at, dimension, places] = DIMENSION.exec(field) ?? [];
+  const [, of, at, dimension, indices] = DIMENSION.exec(field) ?? [];
   const linkage = document && "links" in document ? document : null;
   if (of === "points") return words.text(`field.points.${dimension}`, { n: linkage?.points[Number(at)]?.name ?? at });
   if (of === "slides") {
     const slide = linkage?.slides?.[Number(at)];
     return words.text("field.slides.offset", { n: slide ? calledBy(slide.link, [toLine(slide.point, slide.line)], words) : at });
   }
-  if (of) return ofLink(linkage?.links[Number(at)] ?? { name: at, points: [] }, dimension, places.match(/\d+/g) ?? [], words);
-  const [, numbers, place] = NUMBER.exec(field) ?? [];
-  if (numbers) return words.text(`field.${numbers}`, { n: entryNumber(numbers, Number(place)) });
+  if (of) return ofLink(linkage?.links[Number(at)] ?? { name: at, points: [] }, dimension, indices.match(/\d+/g) ?? [], words);
+  const [, numbers, entry] = NUMBER.exec(field) ?? [];
+  if (numbers) return words.text(`field.${numbers}`, { n: entryNumber(numbers, Number(entry)) });
   const [, list, index, part] = ENTRY.exec(field) ?? [];
   if (!list) return words.text(`field.${field}`);
   const number = entryNumber(list, Number(index));
@@ -81,14 +81,14 @@ export function fieldName(field, words, document) {
 /**
  * @param {{ readonly name: string, readonly points: readonly string[] }} link
  * @param {string} dimension
- * @param {readonly string[]} places indices of points of the link, as in the field
+ * @param {readonly string[]} indices of points of the link, as in the field
  * @param {Words} words
  * @returns {string} name of a dimension of a link: the link and, if it has three points or more, the dimension's points
  */
-function ofLink({ name, points }, dimension, places, words) {
+function ofLink({ name, points }, dimension, indices, words) {
   const isSide = dimension === "length" && points.length > 2;
   const before = dimension === "corner" ? [1, 0] : isSide ? [0, 1] : [];
-  const of = [...before, ...places].map((place) => points[Number(place)] ?? place);
+  const of = [...before, ...indices].map((index) => points[Number(index)] ?? index);
   return words.text(OF_LINKS[isSide ? "side" : dimension], { n: calledBy(name, of, words) });
 }
 
@@ -96,11 +96,11 @@ function ofLink({ name, points }, dimension, places, words) {
  * @param {Problem} problem
  * @param {Words} words
  * @param {Document} [document]
- * @param {(place: number) => number} [onto] maps an angle in degrees to the range that the reader sees
+ * @param {(angle: number) => number} [onto] maps an angle in degrees to the range that the reader sees
  * @returns {string}
  */
 export function sentence(problem, words, document, onto) {
-  return said(keyOf(problem, document), problem, words, document, onto);
+  return sentenceFor(keyOf(problem, document), problem, words, document, onto);
 }
 
 /**
@@ -120,7 +120,7 @@ function keyOf({ code, field = "" }, document) {
  * @returns {string}
  */
 export function lossOf(loss, words) {
-  return said(`import.${loss.code}`, loss, words);
+  return sentenceFor(`import.${loss.code}`, loss, words);
 }
 
 /**
@@ -128,36 +128,36 @@ export function lossOf(loss, words) {
  * @param {Problem} problem
  * @param {Words} words
  * @param {Document} [document]
- * @param {(place: number) => number} [onto]
+ * @param {(angle: number) => number} [onto]
  */
-function said(key, problem, words, document, onto = (place) => place) {
+function sentenceFor(key, problem, words, document, onto = (angle) => angle) {
   if (!words.has(key)) return words.text("problem.unknown", { code: problem.code });
   /** @type {Record<string, string>} */
-  const places = {};
+  const values = {};
   for (const [name, value] of Object.entries(problem)) {
-    if (name === "field") places.field = fieldName(String(value), words, document);
-    else if (name === "path" && value === ".") places.path = words.text("field.state");
-    else if (name === "phi") places.phi = `${words.numbers.upTo(onto(degrees(Number(value))), 3)}°`;
-    else if (Array.isArray(value)) places[name] = value.map((one) => (name === "links" ? called(String(one), words) : one)).join(", ");
-    else if (LINKS.includes(name)) places[name] = called(String(value), words);
-    else if (LENGTHS.includes(name) && typeof value === "number") places[name] = length(problem, value, words);
-    else places[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
+    if (name === "field") values.field = fieldName(String(value), words, document);
+    else if (name === "path" && value === ".") values.path = words.text("field.state");
+    else if (name === "phi") values.phi = `${words.numbers.upTo(onto(degrees(Number(value))), 3)}°`;
+    else if (Array.isArray(value)) values[name] = value.map((one) => (name === "links" ? called(String(one), words) : one)).join(", ");
+    else if (LINKS.includes(name)) values[name] = called(String(value), words);
+    else if (LENGTHS.includes(name) && typeof value === "number") values[name] = length(problem, value, words);
+    else values[name] = typeof value === "number" ? words.numbers.short(value) : String(value);
   }
-  return words.text(key, places);
+  return words.text(key, values);
 }
 
 export class ProblemView {
-  #place = byId("problem", HTMLElement);
+  #container = byId("problem", HTMLElement);
   #shown = "";
 
   /** @param {Snapshot} snapshot */
   render({ problems, words, state, coordinate }) {
-    const onto = (/** @type {number} */ place) => (coordinate.moves === "angle" ? coordinate.onto(place) : place);
+    const onto = (/** @type {number} */ angle) => (coordinate.moves === "angle" ? coordinate.onto(angle) : angle);
     const sentences = problems.map((problem) => sentence(problem, words, state.document, onto));
     if (sentences.length > 1) sentences.unshift(words.counted("problems.count", sentences.length));
     const shown = sentences.join("\n");
     if (shown === this.#shown) return;
     this.#shown = shown;
-    this.#place.replaceChildren(...sentences.map((text) => make("p", {}, [text])));
+    this.#container.replaceChildren(...sentences.map((text) => make("p", {}, [text])));
   }
 }

@@ -6,7 +6,7 @@ import { attempt } from "assur/core/problem.js";
 import { called } from "assur/core/names.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { Words } from "assur/core/words.js";
-import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
 
@@ -17,7 +17,7 @@ function said(id, change, words = en) {
   const page = new Page(id, { phi_deg: 75 });
   page.store.update((state) => change(state));
   const { problems, state, coordinate } = page.now();
-  return problems.map((problem) => sentence(problem, words, state.document, (place) => coordinate.onto(place))).join(" ");
+  return problems.map((problem) => sentence(problem, words, state.document, (angle) => coordinate.onto(angle))).join(" ");
 }
 
 test("an impossible length is named with its excess in the unit of lengths", () => {
@@ -37,7 +37,7 @@ test("an angle in a sentence is on the scale of its field", () => {
     page.store.update((state) => withView(state, { phi_deg: typed }));
     const { problems, state, coordinate } = page.now();
     assert.ok(problems.length > 0);
-    const text = problems.map((problem) => sentence(problem, en, state.document, (place) => coordinate.onto(place))).join(" ");
+    const text = problems.map((problem) => sentence(problem, en, state.document, (angle) => coordinate.onto(angle))).join(" ");
     assert.ok(text.includes(expected), `${typed}: ${text}`);
   }
 });
@@ -45,7 +45,7 @@ test("an angle in a sentence is on the scale of its field", () => {
 test("an angle is said as the scale of readers has it", () => {
   const problem = { code: "no_pose", phi: (-165.5 / 180) * Math.PI };
   const words = new Words("en", new Map([["problem.no_pose", "at {phi}"]]));
-  assert.equal(sentence(problem, words, undefined, (place) => place + 360), "at 194.5°");
+  assert.equal(sentence(problem, words, undefined, (angle) => angle + 360), "at 194.5°");
   assert.equal(sentence(problem, words), "at −165.5°");
 });
 
@@ -113,7 +113,7 @@ test("what is wrong with a lesson is said by its place and its step", () => {
   ]) {
     const lesson = structuredClone(good);
     change(lesson);
-    const { problems } = attempt(() => page.engine.read(withFurther(page.store.get(), { lesson })));
+    const { problems } = attempt(() => page.engine.read(withExtras(page.store.get(), { lesson })));
     const text = problems.map((problem) => sentence(problem, en)).join(" ");
     assert.ok(text.includes(part), text);
   }

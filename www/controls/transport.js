@@ -4,7 +4,7 @@ import { Scrubber } from "assur/controls/scrubber.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { readable } from "assur/core/numbers.js";
 import { INPUT } from "assur/state/drafts.js";
-import { placed, turned } from "assur/state/player.js";
+import { stoppedAt, turned } from "assur/state/player.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -54,7 +54,7 @@ export class Transport {
     this.#steps.forEach(({ button, sense }) => button.addEventListener("click", () => page.step(sense)));
     this.#scrubber.addEventListener("input", () => page.drive(Number(this.#scrubber.value)));
     this.#box = new NumberBox(byId("angle", HTMLInputElement), INPUT, drafts, (value) => {
-      store.update((state) => placed(state, value, model));
+      store.update((state) => stoppedAt(state, value, model));
       return model.coordinate.of(store.get());
     });
     for (const speed of [...SPEEDS, TRUE_TIME]) this.#speed.append(make("option", { value: String(speed) }));
@@ -67,23 +67,23 @@ export class Transport {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, coordinate, place, words, legible } = snapshot;
+    const { summary, coordinate, inputShown, words, numbersDue } = snapshot;
     if (this.#lang !== words.lang) this.#translate(words);
     if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
-    const { start, end } = coordinate.axis(place);
+    const { start, end } = coordinate.axis(inputShown);
     if (this.#cycle !== summary.cycle || this.#start !== start) this.#fit(snapshot, start);
-    this.#bar.show(Math.min(Math.max((place - start) / (end - start), 0), 1), this.#arcs);
-    if (legible) this.#write(snapshot);
+    this.#bar.show(Math.min(Math.max((inputShown - start) / (end - start), 0), 1), this.#arcs);
+    if (numbersDue) this.#write(snapshot);
   }
 
   /** @param {Snapshot} snapshot */
-  #write({ state, words, coordinate, place, stale, faded }) {
+  #write({ state, words, coordinate, inputShown, stale, faded }) {
     const { playing } = state.view;
-    const brief = coordinate.written(place, words, readable(3, playing));
-    this.#scrubber.value = String(place);
+    const brief = coordinate.written(inputShown, words, readable(3, playing));
+    this.#scrubber.value = String(inputShown);
     if (!playing) this.#scrubber.setAttribute("aria-valuetext", brief);
     if (playing && this.#box.busy) return;
-    this.#box.show(place, { brief, full: coordinate.exact(place, words) }, faded && !stale);
+    this.#box.show(inputShown, { brief, full: coordinate.exact(inputShown, words) }, faded && !stale);
   }
 
   /**

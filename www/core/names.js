@@ -63,7 +63,7 @@ export function toLine(point, line) {
 export function numbered({ assembled, home }, coordinate, words) {
   if (!assembled) return "";
   const [number, count] = [assembled.number, assembled.count].map((one) => words.numbers.exact(one));
-  return words.text(assembled.whole ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
+  return words.text(assembled.complete ? "status.assembly_at" : "status.assembly_of_known", { number, count, input: coordinate.short(home, words, 2) });
 }
 
 /** @typedef {(index: number) => string} Numbering gives the number shown for an entry of a list; `index` starts at 0 */

@@ -69,40 +69,40 @@ export class Words {
 
   /**
    * @param {string} lang
-   * @param {readonly string[]} [places] paths of tables in the page, with * for the language; later ones override earlier ones
+   * @param {readonly string[]} [paths] of tables in the page, with * for the language; later ones override earlier ones
    * @returns {Promise<Words>}
    */
-  static async load(lang, places = ["lang/*"]) {
-    const names = places.map((place) => place.replace("*", lang));
+  static async load(lang, paths = ["lang/*"]) {
+    const names = paths.map((path) => path.replace("*", lang));
     const entries = (await Promise.all(names.map(table))).flatMap((one) => [...one]);
     return new Words(lang, new Map(entries));
   }
 
   /**
    * @param {string} key
-   * @param {Readonly<Record<string, string>>} [given] values for the {places} of the text; {unit} is the unit of lengths unless it is given
+   * @param {Readonly<Record<string, string>>} [given] values for the {placeholders} of the text; {unit} is the unit of lengths unless it is given
    * @returns {string} the text, or the key if there is none
    */
   text(key, given = {}) {
     const text = this.#table.get(key);
     if (text === undefined) return key;
     /** @type {Record<string, string>} */
-    const places = { unit: this.unit, ...given };
+    const values = { unit: this.unit, ...given };
     // If there is no unit, the comma, space or brackets around it are also omitted.
-    const bare = places.unit ? text : text.replace(UNIT, "");
-    return bare.replace(/\{(\w+)\}/g, (place, name) => (Object.hasOwn(places, name) ? places[name] : place));
+    const bare = values.unit ? text : text.replace(UNIT, "");
+    return bare.replace(/\{(\w+)\}/g, (placeholder, name) => (Object.hasOwn(values, name) ? values[name] : placeholder));
   }
 
   /**
    * Text with a count. Its plural forms are `key.one`, `key.few`, `key.many`, `key.other`, as the language requires.
    * A browser that lacks the language's plural rules uses another language's; `other` stands in for missing forms.
    * @param {string} key
-   * @param {number} count value of the place {count}
-   * @param {Readonly<Record<string, string>>} [places]
+   * @param {number} count value of the placeholder {count}
+   * @param {Readonly<Record<string, string>>} [values]
    */
-  counted(key, count, places = {}) {
+  counted(key, count, values = {}) {
     const form = `${key}.${this.numbers.form(count)}`;
-    return this.text(this.has(form) ? form : `${key}.other`, { count: this.numbers.exact(count), ...places });
+    return this.text(this.has(form) ? form : `${key}.other`, { count: this.numbers.exact(count), ...values });
   }
 
   /** @param {string} key */

@@ -57,7 +57,7 @@ for (const lang of LANGUAGES) {
 const table = new Map([["plain", "{a} and {b}"], ["unit.mm", "mm"], ["axis", "length, {unit}"], ["n.other", "{count} of {of}"]]);
 const words = new Words("en", table);
 
-test("places are filled in once, and those that nobody fills stay", () => {
+test("placeholders are filled in once, and those that nobody fills stay", () => {
   assert.equal(words.text("plain", { a: "{b}", b: "2" }), "{b} and 2");
   assert.equal(words.text("plain", { a: "1" }), "1 and {b}");
   assert.equal(words.text("plain", { a: "$&", b: "$1" }), "$& and $1");

@@ -20,7 +20,7 @@ import { inputNow } from "assur/state/change.js";
 const FORMAT = "assur.drawing";
 
 /** Offset of a pasted part from its original, to the right and down, in steps of the grid. */
-const BESIDE = 4;
+const PASTE_OFFSET = 4;
 
 export class Drawing {
   #page;
@@ -83,7 +83,7 @@ export class Drawing {
     this.#selection.clear();
     this.#work.rest();
     unsay(this.#page);
-    pointer.lend(on ? this.#hand : null);
+    pointer.setTool(on ? this.#hand : null);
     mechanism.keep(on, on ? this.#palette.height : 0);
     if (on) this.#palette.take("select");
   }
@@ -157,8 +157,8 @@ export class Drawing {
 
   /** @param {Document} drawing */
   #paste(drawing) {
-    const beside = BESIDE * this.#hand.step;
-    const made = step(this.#page, { edit: "paste", drawing: /** @type {import("assur/types/file.js").LinkageDocument} */ (drawing), by: [beside, -beside] });
+    const offset = PASTE_OFFSET * this.#hand.step;
+    const made = step(this.#page, { edit: "paste", drawing: /** @type {import("assur/types/file.js").LinkageDocument} */ (drawing), by: [offset, -offset] });
     if (!made) return;
     const { points, links } = made.document;
     const count = drawing.points.length;

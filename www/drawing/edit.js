@@ -32,12 +32,12 @@ export function edit(page, wanted) {
   if (held) refuse(page, "held_by_locks");
   store.update((state) => withView(withMechanism(state, kind, document), { drawing: true, playing: false }));
   model.follow(store.get());
-  if (model.astray) {
+  if (model.hasDanglingReference) {
     store.update((state) => withView(state, PARTS));
     model.follow(store.get());
   }
   // The edited pose is now the drawn pose. The driver goes to the drawn input.
-  if (model.sound && model.summary.moves) store.update((state) => model.coordinate.put(state, model.coordinate.place(model.home)));
+  if (model.accepted && model.summary.moves) store.update((state) => model.coordinate.put(state, model.coordinate.inputShown(model.home)));
   return drawn;
 }
 

@@ -5,12 +5,12 @@ import { inputNow } from "assur/state/change.js";
 import { side } from "assur/stage/paper.js";
 
 /**
- * @typedef {import("assur/stage/pointer.js").Place} Place
+ * @typedef {import("assur/stage/pointer.js").Pixel} Pixel
  * @typedef {import("assur/drawing/tools.js").Target} Target
  * @typedef {import("assur/state/state.js").LinkageDocument} Document
  * @typedef {readonly [number, number]} Point in the model
  * @typedef {Pick<PointerEvent, "pointerType" | "altKey" | "shiftKey">} Pressed
- * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
+ * @typedef {{ to(at: Pixel, free: boolean): void, end(): void }} Drag
  */
 
 /** Greatest distance of a press from the joint or link that it hits, in pixels: for a mouse, and for a finger. */
@@ -29,9 +29,9 @@ export class Hand {
   #changed;
   /** @type {[Point, Point] | null} opposite corners of the rectangle that the reader draws to select */
   frame = null;
-  /** @type {Point | null} place of the pointer over the paper */
+  /** @type {Point | null} point under the pointer on the paper */
   over = null;
-  /** Whether `over` is the place of the keyboard's pointer. */
+  /** Whether `over` is the point of the keyboard's pointer. */
   keyed = false;
 
   /**
@@ -48,7 +48,7 @@ export class Hand {
   }
 
   /**
-   * @param {Place} at
+   * @param {Pixel} at
    * @param {PointerEvent} event
    */
   hover(at, event) {
@@ -89,7 +89,7 @@ export class Hand {
 
   /**
    * Handles a press without a drag.
-   * @param {Place} at
+   * @param {Pixel} at
    * @param {Pressed} event
    */
   press(at, event) {
@@ -101,8 +101,8 @@ export class Hand {
   }
 
   /**
-   * Begins a drag at a place. Returns null if the tool drags nothing there.
-   * @param {Place} at
+   * Begins a drag at a pixel. Returns null if the tool drags nothing there.
+   * @param {Pixel} at
    * @param {PointerEvent} event
    * @returns {Drag | null}
    */
@@ -124,7 +124,7 @@ export class Hand {
   /**
    * Drags one point. If it is dropped on another point, the two are joined.
    * @param {string} point
-   * @param {Place} from
+   * @param {Pixel} from
    * @param {boolean} touch
    * @returns {Drag}
    */
@@ -136,10 +136,10 @@ export class Hand {
     let onto = "";
     return {
       to: (at, free) => {
-        const place = { x: at.x + off.x, y: at.y + off.y };
-        const near = this.#joint(place, touch, point);
+        const pixel = { x: at.x + off.x, y: at.y + off.y };
+        const near = this.#joint(pixel, touch, point);
         onto = near && this.#isPoint(near.name) && this.#isPoint(point) ? near.name : "";
-        const [x, y] = near ? [near.x, near.y] : this.#snapped(place, free);
+        const [x, y] = near ? [near.x, near.y] : this.#snapped(pixel, free);
         this.#page.mechanism.ring(onto || point);
         // Locked dimensions may have kept the dragged point from reaching the other point.
         if (edit(this.#page, { edit: "place", point, at: [x, y] })?.held) onto = "";
@@ -154,7 +154,7 @@ export class Hand {
   /**
    * Drags several points by the same distance.
    * @param {readonly string[]} points
-   * @param {Place} from
+   * @param {Pixel} from
    * @returns {Drag}
    */
   #carry(points, from) {
@@ -179,7 +179,7 @@ export class Hand {
 
   /**
    * Drags the picture behind the drawing.
-   * @param {Place} from
+   * @param {Pixel} from
    * @returns {Drag}
    */
   #slide(from) {
@@ -196,7 +196,7 @@ export class Hand {
 
   /**
    * Draws a rectangle, and selects the points and links inside.
-   * @param {Place} from
+   * @param {Pixel} from
    * @param {boolean} more whether to add to the selection instead of replacing it
    * @returns {Drag}
    */
@@ -209,8 +209,8 @@ export class Hand {
         this.frame = [corner, other];
         const inside = this.#page.mechanism.joints().filter(({ x, y }) => between(x, corner[0], other[0]) && between(y, corner[1], other[1]));
         const names = new Set(inside.map(({ name }) => name));
-        const whole = this.#document().links.filter((link) => link.points.every((point) => names.has(point)));
-        this.#selection.set([...points, ...names], [...links, ...whole.map(({ name }) => name)]);
+        const enclosed = this.#document().links.filter((link) => link.points.every((point) => names.has(point)));
+        this.#selection.set([...points, ...names], [...links, ...enclosed.map(({ name }) => name)]);
         this.#page.redraw();
       },
       end: () => {
@@ -239,9 +239,9 @@ export class Hand {
   }
 
   /**
-   * @param {Place} at
+   * @param {Pixel} at
    * @param {Pressed} event
-   * @returns {Target} the joint at a place, or else the link, or else the paper
+   * @returns {Target} the joint at a pixel, or else the link, or else the paper
    */
   #target(at, event) {
     const touch = event.pointerType === "touch";
@@ -255,7 +255,7 @@ export class Hand {
   }
 
   /**
-   * @param {Place} at
+   * @param {Pixel} at
    * @param {boolean} touch
    * @param {string} [but] joint to leave out
    */
@@ -284,7 +284,7 @@ export class Hand {
   }
 
   /**
-   * @param {Place} at
+   * @param {Pixel} at
    * @param {boolean} touch
    * @returns {Pick<Target, "link" | "wheel">}
    */
@@ -297,9 +297,9 @@ export class Hand {
   }
 
   /**
-   * @param {Place} at
+   * @param {Pixel} at
    * @param {boolean} free whether the grid is ignored
-   * @returns {[number, number]} the place in the model, moved to the nearest grid point unless the grid is ignored
+   * @returns {[number, number]} the point in the model, moved to the nearest grid point unless the grid is ignored
    */
   #snapped(at, free) {
     const [x, y] = this.#view.toModel(at.x, at.y);

@@ -24,7 +24,7 @@ const DASHES = Object.freeze([6, 5]);
  * @param {Drawn} drawn
  */
 export function paint(context, view, theme, { page, work, selection, hand }) {
-  const places = new Map(page.mechanism.joints().map(({ name, x, y }) => [name, view.toScreen(x, y)]));
+  const pixels = new Map(page.mechanism.joints().map(({ name, x, y }) => [name, view.toScreen(x, y)]));
   const { links = [], locks = [] } = /** @type {Partial<import("assur/state/state.js").LinkageDocument>} */ (page.store.get().document);
   context.save();
   context.strokeStyle = theme.colours.crank;
@@ -35,7 +35,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   context.lineWidth = OVER * theme.weight;
   for (const { name, points } of links) {
     if (!selection.links.has(name) && !work.pressed.some(({ point, link }) => point === null && link === name)) continue;
-    const corners = points.flatMap((point) => places.get(point) ?? []);
+    const corners = points.flatMap((point) => pixels.get(point) ?? []);
     if (corners.length === 2) ring(context, corners, WHEEL * theme.weight);
     context.beginPath();
     for (let k = 0; k < corners.length; k += 2) context.lineTo(corners[k], corners[k + 1]);
@@ -45,12 +45,12 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   context.globalAlpha = 1;
   context.lineWidth = 2 * theme.weight;
   for (const name of [...selection.points, ...work.pressed.map(({ point }) => point ?? "")]) {
-    const place = places.get(name);
-    if (place) ring(context, place, RING * theme.weight);
+    const pixel = pixels.get(name);
+    if (pixel) ring(context, pixel, RING * theme.weight);
   }
   for (const lock of locks) {
-    const at = lock.flatMap((name) => [places.get(name) ?? []]);
-    if (at.some((place) => place.length < 2)) continue;
+    const at = lock.flatMap((name) => [pixels.get(name) ?? []]);
+    if (at.some((pixel) => pixel.length < 2)) continue;
     // The padlock of a length is in the middle of the length; that of an angle is near the vertex, between the sides.
     const [from, to] = [at[0], at[at.length - 1]];
     const middle = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
@@ -58,7 +58,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   }
   const last = work.pressed.at(-1);
   if (hand.over && last) {
-    const from = (last.point && places.get(last.point)) || view.toScreen(...last.at);
+    const from = (last.point && pixels.get(last.point)) || view.toScreen(...last.at);
     // A guide that is nearly horizontal or vertical becomes exactly so.
     const to = work.tool === "slide" ? level(last.at, hand.over) : hand.over;
     context.setLineDash([...DASHES]);
@@ -90,7 +90,7 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
  * @param {readonly number[]} from
  * @param {readonly number[]} to
  * @param {number} way distance in pixels
- * @returns {number[]} the place at that distance from `from` towards `to`, or above `from` if both coincide
+ * @returns {number[]} the pixel at that distance from `from` towards `to`, or above `from` if both coincide
  */
 function toward([x, y], [left, top], way) {
   const length = Math.hypot(left - x, top - y);
@@ -99,7 +99,7 @@ function toward([x, y], [left, top], way) {
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {readonly number[]} place of the padlock's middle
+ * @param {readonly number[]} middle of the padlock
  * @param {import("assur/canvas/theme.js").Theme} theme
  */
 function padlock(context, [left, top], { colours, weight }) {
@@ -121,7 +121,7 @@ function padlock(context, [left, top], { colours, weight }) {
 
 /**
  * @param {CanvasRenderingContext2D} context
- * @param {readonly number[]} place
+ * @param {readonly number[]} middle
  * @param {number} radius
  */
 function ring(context, [left, top], radius) {

@@ -47,9 +47,9 @@ export class Palette {
       input.value = String(work.teeth[k]);
       input.addEventListener("input", () => {
         const teeth = Number(input.value);
-        const sound = Number.isInteger(teeth) && teeth >= 3;
-        input.setAttribute("aria-invalid", String(!sound));
-        if (sound) work.teeth[k] = teeth;
+        const valid = Number.isInteger(teeth) && teeth >= 3;
+        input.setAttribute("aria-invalid", String(!valid));
+        if (valid) work.teeth[k] = teeth;
       });
     });
     this.#internal.addEventListener("change", () => {

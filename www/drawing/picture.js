@@ -2,12 +2,12 @@
 import { degrees, radians } from "assur/core/angles.js";
 import { refuse } from "assur/drawing/edit.js";
 import { imageOf, pixelsOf } from "assur/drawing/image.js";
-import { withFurther } from "assur/state/state.js";
+import { withExtras } from "assur/state/state.js";
 
 /**
- * @typedef {readonly [number, number]} Place in the model, or on the picture in pixels
+ * @typedef {readonly [number, number]} Point in the model, or on the picture in pixels
  * @typedef {Readonly<{ x: number, y: number, length: number, angle: number }>} Base the line between the two marked
- * places: coordinates of its start, its length, and its angle to the x axis in degrees
+ * points: coordinates of its start, its length, and its angle to the x axis in degrees
  * @typedef {import("assur/state/state.js").Picture} Picture
  */
 
@@ -27,7 +27,7 @@ export class BackPicture {
   #image = "";
   /** @type {HTMLCanvasElement | null} pixels of the image; null until they are loaded, and if the image cannot be read */
   #pixels = null;
-  /** @type {Place[]} marked places on the picture */
+  /** @type {Point[]} marked points on the picture */
   #marks = [];
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -88,28 +88,28 @@ export class BackPicture {
     this.#page.history.step(() => this.#set(undefined));
   }
 
-  /** @param {Place} by */
+  /** @param {Point} by */
   move([x, y]) {
     const { at } = this.#picture ?? {};
     if (at) this.#put({ at: [at[0] + x, at[1] + y] });
   }
 
-  /** @param {Place} at place in the model; a third mark replaces the first two */
+  /** @param {Point} at point in the model; a third mark replaces the first two */
   mark(at) {
     const frame = this.#frame;
     if (!frame) return;
     const { origin, right: [right, up] } = frame;
     const [dx, dy] = [at[0] - origin[0], at[1] - origin[1]];
     const square = right * right + up * up;
-    const place = /** @type {Place} */ ([(right * dx + up * dy) / square, (up * dx - right * dy) / square]);
+    const mark = /** @type {Point} */ ([(right * dx + up * dy) / square, (up * dx - right * dy) / square]);
     if (this.#marks.length === 2) this.#marks = [];
     const [first] = this.#marks;
-    // Two marks at the same place determine no line.
-    if (first && first[0] === place[0] && first[1] === place[1]) return;
-    this.#marks.push(place);
+    // Two equal marks determine no line.
+    if (first && first[0] === mark[0] && first[1] === mark[1]) return;
+    this.#marks.push(mark);
   }
 
-  /** @returns {readonly Place[]} the marks in the model */
+  /** @returns {readonly Point[]} the marks in the model */
   get marks() {
     const frame = this.#frame;
     if (!frame) return [];
@@ -171,7 +171,7 @@ export class BackPicture {
     context.restore();
   }
 
-  /** @returns {{ pixels: HTMLCanvasElement, origin: Place, right: Place } | null} the picture's pixels; in model coordinates, its upper left corner and the vector from one pixel to the next on its right */
+  /** @returns {{ pixels: HTMLCanvasElement, origin: Point, right: Point } | null} the picture's pixels; in model coordinates, its upper left corner and the vector from one pixel to the next on its right */
   get #frame() {
     const [picture, pixels] = [this.#picture, this.#pixels];
     if (!picture || !pixels || picture.image !== this.#image) return null;
@@ -203,6 +203,6 @@ export class BackPicture {
 
   /** @param {Picture | undefined} picture */
   #set(picture) {
-    this.#page.store.update((state) => withFurther(state, { picture: picture && Object.freeze(picture) }));
+    this.#page.store.update((state) => withExtras(state, { picture: picture && Object.freeze(picture) }));
   }
 }

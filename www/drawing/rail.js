@@ -31,8 +31,8 @@ export class DrawingRail {
   /** @type {(() => void)[]} functions that rewrite the numbers of the selection */
   #numbers = [];
   #seen = { told: new Seen(), chosen: new Seen(), points: new Seen() };
-  /** @type {ReadonlyMap<string, readonly [number, number]>} current places of the points */
-  #places = new Map();
+  /** @type {ReadonlyMap<string, readonly [number, number]>} current positions of the points */
+  #positions = new Map();
   /** The point drawn last, whose coordinates get the digits that are typed over the drawing. */
   #last = "";
 
@@ -91,23 +91,23 @@ export class DrawingRail {
     if (!this.#seen.told.same(words, summary)) this.#reasons.show(snapshot, document);
     const chosen = [...this.#selection.points, "/", ...this.#selection.links].join("\n");
     if (!this.#seen.chosen.same(words, chosen, structure(document))) this.#choose(document, words);
-    this.#places = this.#placesOf(snapshot, document);
+    this.#positions = this.#positionsOf(snapshot, document);
     this.#numbers.forEach((show) => show());
     this.#list(document, words);
   }
 
   /**
-   * Returns the places of the points: in the drawn pose, those of the document exactly; in other poses, computed ones.
+   * Returns the positions of the points: in the drawn pose, those of the document exactly; in other poses, computed ones.
    * @param {Pick<Snapshot, "summary" | "frameInput">} snapshot
    * @param {Document} document
    */
-  #placesOf({ summary, frameInput }, { points }) {
+  #positionsOf({ summary, frameInput }, { points }) {
     /** @type {Map<string, readonly [number, number]>} */
-    const places = new Map(points.map(({ name, at }) => [name, at]));
+    const positions = new Map(points.map(({ name, at }) => [name, at]));
     if (summary.moves && Math.abs(frameInput - summary.home) > DRAWN) {
-      for (const { name, x, y } of this.#page.mechanism.joints()) if (places.has(name)) places.set(name, [x, y]);
+      for (const { name, x, y } of this.#page.mechanism.joints()) if (positions.has(name)) positions.set(name, [x, y]);
     }
-    return places;
+    return positions;
   }
 
   /**
@@ -118,8 +118,8 @@ export class DrawingRail {
   #choose(document, words) {
     const { points, links } = this.#selection;
     this.#numbers = [];
-    const button = (/** @type {string} */ name, /** @type {() => void} */ onclick, places = {}) =>
-      make("button", { id: `draw-act-${name}`, class: "control", type: "button", onclick }, [words.text(`draw.act.${name}`, places)]);
+    const button = (/** @type {string} */ name, /** @type {() => void} */ onclick, values = {}) =>
+      make("button", { id: `draw-act-${name}`, class: "control", type: "button", onclick }, [words.text(`draw.act.${name}`, values)]);
     const act = (/** @type {string} */ name, /** @type {import("assur/types/edit.js").Edit} */ wanted) => button(name, () => step(this.#page, wanted));
     const acts = (/** @type {"remove" | "duplicate" | "mirror"} */ name) => button(name, this.acts[name]);
     /** @type {Node[]} */
@@ -200,7 +200,7 @@ export class DrawingRail {
   }
 
   /**
-   * Fields for a traced point's place on its link: distances from the first point, along the link and to its left.
+   * Fields for a traced point's position on its link: distances from the first point, along the link and to its left.
    * @param {string} point
    * @param {Words} words
    */
@@ -213,14 +213,14 @@ export class DrawingRail {
 
   /**
    * @param {string} link
-   * @returns {(readonly [number, number])[]} places of the link's first two points
+   * @returns {(readonly [number, number])[]} positions of the link's first two points
    */
   #ends(link) {
     const { links } = /** @type {Document} */ (this.#page.store.get().document);
     const points = links.find(({ name }) => name === link)?.points ?? [];
     return points.slice(0, 2).flatMap((name) => {
-      const place = this.#places.get(name);
-      return place ? [place] : [];
+      const position = this.#positions.get(name);
+      return position ? [position] : [];
     });
   }
 
@@ -238,7 +238,7 @@ export class DrawingRail {
       this.#keep();
       return value();
     });
-    this.#numbers.push(() => shown.show(value(), written(value(), this.#page.words), false));
+    this.#numbers.push(() => shown.show(value(), coordinateTexts(value(), this.#page.words), false));
     return [make("span", {}, [words.text(`draw.${what}`)]), input];
   }
 
@@ -251,8 +251,8 @@ export class DrawingRail {
     const names = points.map(({ name }) => name).join("\n");
     if (!this.#seen.points.same(words, names)) this.#build(points, words);
     this.#rows.forEach(({ name, label, boxes }, k) => {
-      const place = this.#places.get(name) ?? points[k].at;
-      boxes.forEach((box, axis) => box.show(place[axis], written(place[axis], words), false));
+      const position = this.#positions.get(name) ?? points[k].at;
+      boxes.forEach((box, axis) => box.show(position[axis], coordinateTexts(position[axis], words), false));
       const selected = String(this.#selection.points.has(name));
       if (label.dataset.selected !== selected) label.dataset.selected = selected;
     });
@@ -269,7 +269,7 @@ export class DrawingRail {
     this.#rows = points.map(({ name }) => {
       const label = make("b", {}, [name]);
       const inputs = ["x", "y"].map((axis) => numberField({ id: `draw-${axis}-${name}`, "aria-label": words.text(axis === "x" ? "draw.point.x" : "draw.point.y", { n: name }) }));
-      const boxes = inputs.map((input, axis) => new NumberBox(input, `draw-${"xy"[axis]}-${name}`, this.#page.drafts, (value) => this.#place(name, axis, value)));
+      const boxes = inputs.map((input, axis) => new NumberBox(input, `draw-${"xy"[axis]}-${name}`, this.#page.drafts, (value) => this.#moveTo(name, axis, value)));
       return { name, label, inputs, boxes };
     });
     this.#points.replaceChildren(...this.#rows.flatMap(({ label, inputs }) => [label, ...inputs]));
@@ -282,17 +282,17 @@ export class DrawingRail {
    * @param {number} value
    * @returns {number} the resulting value in the drawing
    */
-  #place(name, axis, value) {
-    const [x, y] = this.#places.get(name) ?? [0, 0];
+  #moveTo(name, axis, value) {
+    const [x, y] = this.#positions.get(name) ?? [0, 0];
     edit(this.#page, { edit: "place", point: name, at: axis === 0 ? [value, y] : [x, value] });
     this.#keep();
-    return this.#places.get(name)?.[axis] ?? value;
+    return this.#positions.get(name)?.[axis] ?? value;
   }
 
-  /** Takes the places of the points from the document: after an edit, the driver is at the drawn input. */
+  /** Takes the positions of the points from the document: after an edit, the driver is at the drawn input. */
   #keep() {
     const { points } = /** @type {Document} */ (this.#page.store.get().document);
-    this.#places = new Map(points.map((point) => [point.name, point.at]));
+    this.#positions = new Map(points.map((point) => [point.name, point.at]));
   }
 }
 
@@ -300,7 +300,7 @@ export class DrawingRail {
  * @param {number} value
  * @param {Words} words
  */
-function written(value, { numbers }) {
+function coordinateTexts(value, { numbers }) {
   return { brief: numbers.short(value), full: numbers.exact(value) };
 }
 

@@ -5,9 +5,9 @@ import { BackPicture } from "assur/drawing/picture.js";
 /**
  * @typedef {import("assur/types/edit.js").End} End
  * @typedef {import("assur/types/edit.js").Outer} Outer
- * @typedef {readonly [number, number]} Place in the model
- * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Place }} Target target of a press: a
- * point, or else a link, or else the paper. `wheel`: the wheel at that place, even if a point or link lies over the
+ * @typedef {readonly [number, number]} Point in the model
+ * @typedef {{ point: string | null, link: string | null, wheel: string | null, at: Point }} Target target of a press: a
+ * point, or else a link, or else the paper. `wheel`: the wheel under the press, even if a point or link lies over the
  * wheel; an internal gear is hit only at its rim
  * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: key that
  * chooses the tool, together with Alt. `prompts`: names of the prompts in order; for a dyad, by kind of pair
@@ -245,9 +245,9 @@ function outerPair(letter, target) {
 }
 
 /**
- * @param {Place} from
- * @param {Place} to
- * @returns {[number, number]} the second place, moved if need be to make a nearly level or upright line exactly so
+ * @param {Point} from
+ * @param {Point} to
+ * @returns {[number, number]} the second point, moved if need be to make a nearly level or upright line exactly so
  */
 export function level([x, y], [right, up]) {
   const [dx, dy] = [right - x, up - y];

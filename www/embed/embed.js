@@ -91,8 +91,8 @@ export class Embedding {
    */
   commands(commands) {
     const there = new Set([...MOVING, ...(this.edits ? EDITING : [])]);
-    const whole = this.#given.embed === "page" && this.edits;
-    return Object.fromEntries(Object.entries(commands).map(([name, act]) => [name, whole || there.has(name) ? act : () => {}]));
+    const allAvailable = this.#given.embed === "page" && this.edits;
+    return Object.fromEntries(Object.entries(commands).map(([name, act]) => [name, allAvailable || there.has(name) ? act : () => {}]));
   }
 
   /**

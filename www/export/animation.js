@@ -7,7 +7,7 @@ import { download } from "assur/core/download.js";
 import { problemsOf } from "assur/core/problem.js";
 import { measured } from "assur/core/units.js";
 
-/** @typedef {import("assur/export/moments.js").Work} Work */
+/** @typedef {import("assur/export/moments.js").Job} Job */
 
 /**
  * Choices in the dialog. `WIDTHS`: in pixels. `MOMENTS`: pictures per period. `SECONDS`: duration of a period.
@@ -40,7 +40,7 @@ export function animations(page, theme, name, title) {
   /**
    * Writes a file, unless another is being written. No file is saved if the work is cancelled.
    * @param {string} file
-   * @param {(work: Work) => Promise<Blob>} make
+   * @param {(work: Job) => Promise<Blob>} make
    */
   const write = async (file, make) => {
     if (running) return;
@@ -84,7 +84,7 @@ export function animations(page, theme, name, title) {
   const seconds = select("seconds", SECONDS, (value) => measured(`${value}`, words.text("unit.s")));
   const poses = select("poses", POSES, String);
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
-  const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {(work: Work) => Promise<Blob>} */ make_) => {
+  const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {(work: Job) => Promise<Blob>} */ make_) => {
     const id = `export-${part}-${format}`;
     const made = make("button", { id, class: "control", type: "button", "aria-labelledby": `export-${part} ${id}` }, [format === "webm" ? "WebM" : format.toUpperCase()]);
     made.addEventListener("click", () => write(`${name}-${part}.${format}`, make_));

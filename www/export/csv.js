@@ -116,9 +116,9 @@ function lengthName({ lengths }) {
  * @param {Coordinate} coordinate
  * @param {Words} words
  */
-function inputName({ field, moves }, words) {
+function inputName({ viewKey, moves }, words) {
   const units = { angle: "", length: `_${lengthName(words)}`, time: "_s" };
-  return `${field}${units[moves]}`;
+  return `${viewKey}${units[moves]}`;
 }
 
 /**

@@ -4,7 +4,7 @@ import test from "node:test";
 import { Words, unbroken } from "assur/core/words.js";
 import { toCsv } from "assur/export/csv.js";
 import { Coordinate } from "assur/state/coordinate.js";
-import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withView } from "assur/state/state.js";
 import { readCsv } from "assur/tests/csv.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 import { tableOf, wordsOf } from "assur/tests/words.js";
@@ -168,7 +168,7 @@ test("what is measured and what is plotted of a joint is in the table", async ()
 test("what is compared with it has columns and comments of its own, at the same inputs", async () => {
   const state = stateOf(engine, "mixer-a");
   const compared = { kind: state.kind, document: { ...state.document, l2: 0.9 } };
-  const csv = await readCsv(write(withFurther(state, { compared }), { steps: 12 }));
+  const csv = await readCsv(write(withExtras(state, { compared }), { steps: 12 }));
   assert.ok(csv.comments.includes("# A: length of B-C = 0.9 m"), String(csv.comments));
   const alone = await readCsv(write({ ...state, document: compared.document }, { steps: 12 }));
   for (let row = 0; row < 12; row++) assert.equal(csv.cell(row, "A: rocker.angle"), alone.cell(row, "rocker.angle"));

@@ -82,7 +82,7 @@ function caption({ summary, coordinate }, state, words) {
 function makeDialog(page) {
   const { engine, model, store, mechanism, chart, words } = page;
   const theme = paperTheme(engine.roles);
-  const name = `assur-${engine.catalogue.fileName(model.good)}`;
+  const name = `assur-${engine.catalogue.fileName(model.lastAccepted)}`;
   const drawing = () => withCaption(mechanism, theme, caption(model, store.get(), words));
   const plots = () => withLegend(chart, theme, words);
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });

@@ -6,11 +6,11 @@ import { Refusal, attempt } from "assur/core/problem.js";
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels,
  * and duration of a period in seconds
- * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Work work that can be cancelled and reports its progress
+ * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Job work that can be cancelled and reports its progress
  */
 
 /** Tolerance within which an input beyond the end of an arc counts as on the arc, in the engine's unit. */
-const HAIR = 1e-9;
+const END_TOLERANCE = 1e-9;
 
 /**
  * @param {Page} page
@@ -24,7 +24,7 @@ export function inputs({ model: { summary, coordinate }, store }, count) {
   const here = coordinate.input(coordinate.of(store.get()));
   const steps = Array.from({ length: count }, (_, number) => number / count);
   if (full) return steps.map((step) => start + modulo(here - start + step * (end - start), end - start));
-  const [from, to] = arcs.find(([first, last]) => here >= first - HAIR && here <= last + HAIR) ?? arcs[0] ?? [start, end];
+  const [from, to] = arcs.find(([first, last]) => here >= first - END_TOLERANCE && here <= last + END_TOLERANCE) ?? arcs[0] ?? [start, end];
   // Time does not run backwards.
   if (summary.moves === "time") return steps.map((step) => from + step * (to - from));
   return steps.map((step) => from + (to - from) * (1 - Math.abs(1 - 2 * step)));
@@ -56,18 +56,18 @@ export function others(page, count) {
  * Yields the moments of the present mechanism in turn. Between two moments the page may do other work.
  * @param {Page} page
  * @param {readonly number[]} inputs of the engine
- * @param {Work} work
+ * @param {Job} work
  * @returns {AsyncGenerator<Moment>}
  */
 export function moments(page, inputs, work) {
-  return momentsOf(page.model.good.document, page, inputs, work);
+  return momentsOf(page.model.lastAccepted.document, page, inputs, work);
 }
 
 /**
- * @param {Page["model"]["good"]["document"]} document of the mechanism
+ * @param {Page["model"]["lastAccepted"]["document"]} document of the mechanism
  * @param {Page} page
  * @param {readonly number[]} inputs
- * @param {Work} work
+ * @param {Job} work
  * @returns {AsyncGenerator<Moment>}
  */
 async function* momentsOf(document, page, inputs, { signal, tell }) {
@@ -78,7 +78,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
     await breath();
     signal.throwIfAborted();
     // If the mechanism has been replaced, further moments would not belong to this motion.
-    if (page.model.good.document !== document) throw new DOMException("", "AbortError");
+    if (page.model.lastAccepted.document !== document) throw new DOMException("", "AbortError");
     const { value, problems } = attempt(() => page.engine.at(input));
     if (value) found = true;
     else why = problems;

@@ -5,7 +5,7 @@ import { Svg, SvgPath } from "assur/export/svg.js";
 /**
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
- * @typedef {import("assur/export/moments.js").Work} Work
+ * @typedef {import("assur/export/moments.js").Job} Job
  */
 
 const SVG = "image/svg+xml";
@@ -21,7 +21,7 @@ const SHARPNESS = 3;
  * @param {Page} page
  * @param {Theme} theme
  * @param {import("assur/export/moments.js").Wishes} wishes
- * @param {Work} work
+ * @param {Job} work
  * @param {string} title description of the picture
  * @returns {Promise<Blob>}
  */
@@ -46,7 +46,7 @@ export async function toMovingSvg(page, theme, { moments: count, width, seconds 
  * @param {Page} page
  * @param {Theme} theme
  * @param {number} count
- * @param {Work} work
+ * @param {Job} work
  * @param {string} title
  * @returns {Promise<Blob>}
  */
@@ -69,14 +69,14 @@ export async function posesAsSvg(page, theme, count, work, title) {
  * @param {Page} page
  * @param {Theme} theme
  * @param {number} count
- * @param {Work} work
+ * @param {Job} work
  * @returns {Promise<Blob>}
  */
 export async function posesAsPng(page, theme, count, work) {
   const { size, begin } = page.mechanism.sheet();
   const width = size.width * SHARPNESS;
-  const whole = new OffscreenCanvas(1, 1);
-  const target = targetOn(whole, size, width);
+  const canvas = new OffscreenCanvas(1, 1);
+  const target = targetOn(canvas, size, width);
   const { ground, moment } = begin(theme);
   ground(target);
   const one = new OffscreenCanvas(1, 1);
@@ -88,14 +88,14 @@ export async function posesAsPng(page, theme, count, work) {
     target.context.globalAlpha = 1;
   }
   begin(theme).moment(target);
-  return whole.convertToBlob({ type: "image/png" });
+  return canvas.convertToBlob({ type: "image/png" });
 }
 
 /**
  * Yields the poses other than the current one, each with its opacity; the opacities increase.
  * @param {Page} page
  * @param {number} count
- * @param {Work} work
+ * @param {Job} work
  * @returns {AsyncGenerator<[number, import("assur/export/pictures.js").Moment]>}
  */
 async function* faded(page, count, work) {

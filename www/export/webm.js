@@ -10,7 +10,7 @@ const BITS = 8;
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {import("assur/export/moments.js").Wishes} wishes
- * @param {import("assur/export/moments.js").Work} work
+ * @param {import("assur/export/moments.js").Job} work
  * @returns {Promise<Blob>}
  */
 export async function toWebm(page, theme, { moments: count, width, seconds }, work) {

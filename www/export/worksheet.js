@@ -62,7 +62,7 @@ function worksheet(page, steps) {
     make("div", { class: "figures" }, figures),
     make("div", { class: "tables" }, [dimensions(page), values(model.summary.moves !== null)]),
     ...(items.length > 0 ? [make("ol", {}, items), ...page.lesson.onPaper(END)] : []),
-    foot(address.link(model.good), engine),
+    foot(address.link(model.lastAccepted), engine),
   ]);
 }
 
@@ -71,7 +71,7 @@ function worksheet(page, steps) {
  * @returns {HTMLElement} all given numbers of the drawn mechanism
  */
 function dimensions({ engine, model, words }) {
-  const rows = given(model.good, engine, words).map((one) => make("tr", {}, [make("td", {}, withSubscripts(one))]));
+  const rows = given(model.lastAccepted, engine, words).map((one) => make("tr", {}, [make("td", {}, withSubscripts(one))]));
   return make("table", {}, [make("tbody", {}, rows)]);
 }
 
@@ -110,9 +110,9 @@ function foot(link, engine) {
 /** @param {Uint8Array} cells of the QR code, row by row; 1 is dark */
 function code(cells) {
   const side = Math.sqrt(cells.length);
-  const whole = side + 2 * QUIET;
+  const edge = side + 2 * QUIET;
   const path = [...cells].map((dark, at) => (dark ? `M${at % side} ${Math.floor(at / side)}h1v1h-1z` : "")).join("");
-  const svg = makeSvg("svg", { viewBox: `${-QUIET} ${-QUIET} ${whole} ${whole}`, class: "code" }, [makeSvg("path", { d: path })]);
-  svg.style.width = `${whole * CELL}mm`;
+  const svg = makeSvg("svg", { viewBox: `${-QUIET} ${-QUIET} ${edge} ${edge}`, class: "code" }, [makeSvg("path", { d: path })]);
+  svg.style.width = `${edge * CELL}mm`;
   return svg;
 }

@@ -112,7 +112,7 @@ test("beside a drawing stand the numbers that it is drawn with, not one that is 
   const said = lines("mixer-a", false, ({ store, model }) => {
     store.update((state) => withDocument(state, { l1: 50 }));
     model.follow(store.get());
-    assert.ok(!model.sound);
+    assert.ok(!model.accepted);
   });
   assert.match(said[0], /^Crank l₁ = 0\.37(?!\d)/);
 });

@@ -76,8 +76,8 @@ function lessonCard(entry, page, pictures, english) {
     const { lesson: { steps }, presets } = await readLesson(entry);
     const { solved } = new Progress(id, steps);
     if (solved > 0) done.textContent = words.counted("lesson.solved", solved);
-    const whole = opens(steps[0].shows[0], presets, engine);
-    return whole ? initialState(whole.kind, whole.document, {}) : null;
+    const opened = opens(steps[0].shows[0], presets, engine);
+    return opened ? initialState(opened.kind, opened.document, {}) : null;
   });
   const button = card(`gallery-lesson-${id}`, picture, words.text(title), words.text(line), done);
   button.addEventListener("click", () => begin(page, entry));

@@ -3,7 +3,7 @@ import { Transform } from "assur/canvas/transform.js";
 import { make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { Figure } from "assur/stage/figure.js";
-import { alone } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -79,8 +79,8 @@ export class Pictures {
   #draw(canvas, state) {
     if (!canvas.isConnected) return;
     const { engine, theme, words, model: { coordinate } } = this.#page;
-    const { value } = attempt(() => engine.beside((other) => {
-      const summary = other.set(alone(state));
+    const { value } = attempt(() => engine.withScratchSimulator((other) => {
+      const summary = other.set(withoutExtras(state));
       return { bounds: summary.bounds, scene: other.scene(), frame: other.at("home" in summary ? summary.home : 0).frame };
     }));
     if (!value) return;

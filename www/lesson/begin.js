@@ -3,7 +3,7 @@ import { OWN, readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";
 import { shownNow } from "assur/lesson/steps.js";
-import { withFurther, withView } from "assur/state/state.js";
+import { withExtras, withView } from "assur/state/state.js";
 
 /**
  * Opens a lesson at a step, with the mechanism of this step.
@@ -28,7 +28,7 @@ export function writeLesson(page) {
   page.history.step(() => page.store.update((state) => {
     const lesson = state.lesson ?? { title: "", steps: [{ title: "", text: "", shows: shownNow(page) }] };
     const open = state.view.lesson?.id === OWN ? state.view.lesson : { id: OWN, step: 1 };
-    return withView(withFurther(state, { lesson }), { lesson: open });
+    return withView(withExtras(state, { lesson }), { lesson: open });
   }));
   page.lesson.write(true);
   page.attend();

@@ -10,7 +10,7 @@ import { changed, withStep } from "assur/lesson/steps.js";
  *   id: string, of: "lesson" | "step" | "question", sorts?: readonly string[], rows?: number, most?: number, numeric?: boolean,
  *   get: (lesson: Written, step: Step) => string | number | null | undefined,
  *   put: (lesson: Written, index: number, value: any) => Written,
- * }>} Field
+ * }>} FormField
  * `of`: what the field describes. `sorts`: kinds of question that have the field, by default all. `rows`: height of the field in lines, for longer text.
  * `most`: greatest number of characters. `numeric`: whether the field holds a number. `get`: reads the field. `put`: changes the lesson.
  */
@@ -40,8 +40,8 @@ function withPart(part, lesson, index, change) {
 /** @param {string} text */
 const given = (text) => (text === "" ? undefined : text);
 
-/** @type {readonly Field[]} */
-export const FIELDS = Object.freeze(/** @type {Field[]} */ ([
+/** @type {readonly FormField[]} */
+export const FIELDS = Object.freeze(/** @type {FormField[]} */ ([
   { id: "title", of: "lesson", most: 200, get: ({ title }) => title, put: (lesson, _, title) => ({ ...lesson, title }) },
   { id: "author", of: "lesson", most: 200, get: ({ author }) => author, put: (lesson, _, author) => changed(lesson, { author: given(author) }) },
   { id: "step_title", of: "step", most: 200, get: (_, { title }) => title, put: (lesson, i, title) => withStep(lesson, i, { title }) },
@@ -69,7 +69,7 @@ export const FIELDS = Object.freeze(/** @type {Field[]} */ ([
 ]));
 
 /**
- * @param {Field} field
+ * @param {FormField} field
  * @param {string} text typed text
  * @returns {{ value: string | number | undefined } | null} null if the field holds a number but the text is not one
  */

@@ -34,11 +34,11 @@ import { holds, open } from "assur/lesson/show.js";
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
  *   answer: (summary: Summaries[K]) => number | string | undefined,
- *   within?: number, unit?: string, round?: boolean, whole?: boolean, choices?: readonly string[],
+ *   within?: number, unit?: string, round?: boolean, integer?: boolean, choices?: readonly string[],
  *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
  * }>} Question
  * `answer`: the engine's answer for the current mechanism, a number or one of the `choices`; undefined if there is none. `within`:
- * tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored. `whole`: whether the number is a
+ * tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored. `integer`: whether the number is a
  * count, so that `ID.right` has plural forms. `places`: further numbers in `ID.right`. `hides`: ids of read-outs that give the answer
  * away. The page hides them until the question is answered or the answer is shown.
  */
@@ -62,8 +62,8 @@ import { holds, open } from "assur/lesson/show.js";
  */
 
 /**
- * @typedef {{ [K in Kind]: Readonly<{ kind: K, document: import("assur/state/state.js").Documents[K] }> }[Kind]} Whole
- * @typedef {Readonly<Record<string, Whole>>} OwnPresets the presets of a lesson's folder, by name
+ * @typedef {{ [K in Kind]: Readonly<{ kind: K, document: import("assur/state/state.js").Documents[K] }> }[Kind]} TypedDocument
+ * @typedef {Readonly<Record<string, TypedDocument>>} OwnPresets the presets of a lesson's folder, by name
  */
 
 /** Allowance for rounding at the edge of the tolerance, relative to the exact value. */
@@ -169,7 +169,7 @@ function right({ id, question }, { summary }, words) {
   const exact = question.answer(summary);
   if (typeof exact !== "number") return words.text(`${id}.right`);
   const places = Object.entries(question.places?.(summary) ?? {}).map(([name, value]) => [name, words.numbers.exact(value)]);
-  if (question.whole) return words.counted(`${id}.right`, exact, Object.fromEntries(places));
+  if (question.integer) return words.counted(`${id}.right`, exact, Object.fromEntries(places));
   return words.text(`${id}.right`, { value: words.numbers.upTo(exact, 3) + (question.unit ?? "") });
 }
 

@@ -3,7 +3,7 @@ import { fieldName, measuredAs } from "assur/controls/problems.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { lettered } from "assur/core/subscripts.js";
-import { alone } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -34,7 +34,7 @@ const DECIMALS = 6;
  */
 export function given(state, engine, words) {
   const { document } = state;
-  const plain = (attempt(() => engine.functions.numbersOf(alone(state))).value ?? [])
+  const plain = (attempt(() => engine.functions.numbersOf(withoutExtras(state))).value ?? [])
     .filter(({ field }) => isGiven(field, document))
     .map(({ field, value }) => `${fieldName(field, words, document)} = ${measuredAs(field, words.numbers.upTo(value, DECIMALS), words)}`);
   return "links" in document ? [...ofPoints(document, words), ...plain] : plain;

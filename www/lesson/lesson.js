@@ -12,7 +12,7 @@ import { withView } from "assur/state/state.js";
 
 export class Lesson {
   #settings = byId("rail", HTMLElement);
-  #place = byId("lesson", HTMLElement);
+  #container = byId("lesson", HTMLElement);
   #tabs = [byId("tab-settings", HTMLButtonElement), byId("tab-lesson", HTMLButtonElement)];
   #page;
   /** @type {import("assur/lesson/panel.js").LessonPanel | null} */
@@ -42,7 +42,7 @@ export class Lesson {
   /** Opens and focuses the lesson, or closes it. */
   toggle() {
     this.#called.focused = !this.#open;
-    if (this.#open && this.#place.contains(document.activeElement)) this.#tabs[1].focus();
+    if (this.#open && this.#container.contains(document.activeElement)) this.#tabs[1].focus();
     this.#turn(!this.#open);
   }
 
@@ -89,7 +89,7 @@ export class Lesson {
     const shown = writing ? this.#writer : this.#shown === lesson.id ? this.#panel : null;
     if (!shown) return;
     shown.render(snapshot);
-    if (this.#called.seen) this.#place.scrollIntoView({ block: "nearest" });
+    if (this.#called.seen) this.#container.scrollIntoView({ block: "nearest" });
     if (this.#called.focused) shown.focus();
     this.#called = { seen: false, focused: false };
   }
@@ -109,7 +109,7 @@ export class Lesson {
   #reveal(open) {
     this.#open = open;
     this.#settings.hidden = open;
-    this.#place.hidden = !open;
+    this.#container.hidden = !open;
     if (!open) this.#panel?.close();
     this.#tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(open === (i === 1))));
     // Modules that failed to load are requested again.
@@ -140,7 +140,7 @@ export class Lesson {
       if (this.#wanted !== wanted) return;
       this.#leave();
       this.#wanted = wanted;
-      write(this.#place, words.text("lesson.failed"));
+      write(this.#container, words.text("lesson.failed"));
     }
   }
 
@@ -149,7 +149,7 @@ export class Lesson {
     const { Writer } = await import("assur/lesson/writer.js");
     return { show: () => {
       this.#leave();
-      this.#writer = new Writer(this.#place, this.#page, words);
+      this.#writer = new Writer(this.#container, this.#page, words);
       this.#wanted = wantedOf({ id: OWN }, true, words);
     } };
   }
@@ -162,7 +162,7 @@ export class Lesson {
       if (!lesson) return;
       this.#panel?.end();
       this.#written = lesson;
-      this.#panel = new LessonPanel(this.#place, this.#page, new WrittenLesson(lesson, this.#page, words), words);
+      this.#panel = new LessonPanel(this.#container, this.#page, new WrittenLesson(lesson, this.#page, words), words);
       this.#shown = OWN;
     } };
   }
@@ -187,9 +187,9 @@ export class Lesson {
         this.#panel?.end();
         this.#writer = null;
         this.#shown = id;
-        this.#panel = new LessonPanel(this.#place, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id), items, entry.notes), text);
+        this.#panel = new LessonPanel(this.#container, this.#page, new FolderLesson(id, lesson, presets, this.#page, next(id), items, entry.notes), text);
       }
-      this.#panel?.speak(text);
+      this.#panel?.setWords(text);
     } };
   }
 }

@@ -89,12 +89,12 @@ export class LessonPanel {
   #own;
 
   /**
-   * @param {HTMLElement} place
+   * @param {HTMLElement} container
    * @param {import("assur/app/page.js").Page} page
    * @param {Source} source
    * @param {Words} words words of the page and of the lesson
    */
-  constructor(place, page, source, words) {
+  constructor(container, page, source, words) {
     this.#page = page;
     this.#source = source;
     this.#words = words;
@@ -111,7 +111,7 @@ export class LessonPanel {
     const paper = this.#paper = source.paper && new Paper(page.engine, source.paper);
     const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : [])];
     this.#body.replaceChildren(...(source.frame?.(step, this.#progress, () => this.#renew()) ?? step));
-    place.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
+    container.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
   }
 
   /** Keeps the digest of the step's mechanism, because the reader may leave the page. */
@@ -154,7 +154,7 @@ export class LessonPanel {
   }
 
   /** @param {Words} words */
-  speak(words) {
+  setWords(words) {
     this.#words = words;
     this.#steps = this.#source.tell(words);
   }
@@ -187,7 +187,7 @@ export class LessonPanel {
     const outdated = judged !== undefined && judged.document !== snapshot.state.document;
     if (outdated) this.#judged.delete(step.id);
     if (!this.#shown.same(number, this.#words)) this.#write(number);
-    if (snapshot.legible) {
+    if (snapshot.numbersDue) {
       this.#tools.render();
       this.#paper?.render(snapshot);
       this.#figure?.render(snapshot, this.#words);

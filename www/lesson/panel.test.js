@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
 import { LessonPanel } from "assur/lesson/panel.js";
 import { WrittenLesson } from "assur/lesson/written.js";
-import { withFurther, withView } from "assur/state/state.js";
+import { withExtras, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { wordsOf } from "assur/tests/words.js";
 
@@ -35,25 +35,25 @@ function begin(question, vary = []) {
   page.redraw = () => {};
   const { kind, document: shown } = page.engine.catalogue.preset("mixer-a");
   const lesson = { title: "Own", steps: [{ title: "", text: "", shows: { kind, document: shown, view: { phi_deg: 30 }, vary }, question: { text: "?", ...question } }] };
-  page.store.update((state) => withView(withFurther(state, { lesson }), { lesson: { id: "own", step: 1 } }));
-  const place = new HTMLElement();
-  const panel = new LessonPanel(place, page, new WrittenLesson(lesson, page, words), words);
+  page.store.update((state) => withView(withExtras(state, { lesson }), { lesson: { id: "own", step: 1 } }));
+  const container = new HTMLElement();
+  const panel = new LessonPanel(container, page, new WrittenLesson(lesson, page, words), words);
   const render = () => panel.render(page.model.snapshot(page.store.get(), words, true));
   render();
-  const find = (id) => place.all.find((element) => element.attributes.id === id);
+  const find = (id) => container.all.find((element) => element.attributes.id === id);
   const type = (id, text) => {
     const input = find(id);
     input.value = text;
     for (const event of ["input", "change"]) input.dispatchEvent(new Event(event));
   };
-  const check = () => place.all.find(({ tagName }) => tagName === "FORM").dispatchEvent(new Event("submit", { cancelable: true }));
-  return { page, panel, place, find, type, check, render };
+  const check = () => container.all.find(({ tagName }) => tagName === "FORM").dispatchEvent(new Event("submit", { cancelable: true }));
+  return { page, panel, container, find, type, check, render };
 }
 
 test("another name has its own answers, in the same elements", () => {
-  const { find, type, check, place } = begin({ number: { value: 5, within: 0.1 } });
+  const { find, type, check, container } = begin({ number: { value: 5, within: 0.1 } });
   type("lesson-reader", "Ada");
-  const named = () => place.all.filter(({ attributes }) => attributes.id);
+  const named = () => container.all.filter(({ attributes }) => attributes.id);
   const before = named();
   type("lesson-answer", "5");
   check();
@@ -89,13 +89,13 @@ test("options are chosen anew by another name, in the same elements", () => {
 });
 
 test("the mechanism with one's own numbers is that of the new name", () => {
-  const { find, type, page, place } = begin({ number: { value: 5, within: 0.1 } }, [{ field: "l1", from: 0.3, to: 0.4, step: 0.01 }]);
+  const { find, type, page, container } = begin({ number: { value: 5, within: 0.1 } }, [{ field: "l1", from: 0.3, to: 0.4, step: 0.01 }]);
   const show = () => {
     find("lesson-show").dispatchEvent(new Event("click"));
     return page.store.get().document.l1;
   };
   type("lesson-reader", "Ada");
-  assert.equal(place.all.find(({ attributes }) => attributes.class === "lesson-note").textContent, words.text("written.own"));
+  assert.equal(container.all.find(({ attributes }) => attributes.class === "lesson-note").textContent, words.text("written.own"));
   const hers = show();
   type("lesson-reader", "Bo");
   const his = show();
@@ -106,7 +106,7 @@ test("the mechanism with one's own numbers is that of the new name", () => {
 
 test("the engine is asked once for an answer, however often it is shown", (t) => {
   const { page, find, type, check } = begin({ number: { quantity: "rocker.angle", within: 0.1 } });
-  const asked = t.mock.method(page.engine, "beside");
+  const asked = t.mock.method(page.engine, "withScratchSimulator");
   find("lesson-reveal").dispatchEvent(new Event("click"));
   assert.equal(find("lesson-said").dataset.verdict, "shown");
   assert.match(find("lesson-said").textContent, /\d°/);

@@ -15,8 +15,8 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * `shown`: true if its numbers do not give the answer away.
  * @typedef {Readonly<{ items: readonly Item[], main: ReadonlyMap<string, readonly string[]> }>} Printed
  * A paper. `items`: all its items. `main`: ids of the items that are shown below the text of a step, by the step's id.
- * @typedef {{ item: string, shown: boolean, place: HTMLElement }} Numbers
- * `item`: id of an item; `shown`: as in the item; `place`: element for its numbers.
+ * @typedef {{ item: string, shown: boolean, container: HTMLElement }} Numbers
+ * `item`: id of an item; `shown`: as in the item; `container`: element for its numbers.
  */
 
 /** Relative difference below which values count as equal. */
@@ -101,9 +101,9 @@ export class Paper {
     const words = this.#words;
     if (!words) return;
     for (const one of this.#numbers) {
-      const { item, place } = one;
+      const { item, container } = one;
       const relations = told.includes(one) ? (asked ?? []).filter((relation) => relation.item === item) : [];
-      place.replaceChildren(...relations.map((relation) => make("p", {}, withSubscripts(compared(relation, words)))));
+      container.replaceChildren(...relations.map((relation) => make("p", {}, withSubscripts(compared(relation, words)))));
     }
   }
 
@@ -113,7 +113,7 @@ export class Paper {
    */
   #row(item, further = []) {
     const numbers = make("div", { class: "paper-numbers" });
-    this.#numbers.push({ item: item.item, shown: item.shown, place: numbers });
+    this.#numbers.push({ item: item.item, shown: item.shown, container: numbers });
     return make("div", { "data-item": item.item }, [...head(item), numbers, ...further]);
   }
 }

@@ -69,9 +69,9 @@ export function unitIn(asked, seen, words) {
  */
 function unitOfQuantity(quantity, moves, physical, words) {
   if (quantity === "input") return { angle: "°", length: words.unit, time: words.text("unit.s") }[moves];
-  const { bare, what, order, whole } = partsOf(quantity);
+  const { bare, what, order, property } = partsOf(quantity);
   const kind = isLength(what) ? "length" : isAngle(bare) ? "angle" : null;
-  if (kind === null || whole === "time_ratio") return "";
+  if (kind === null || property === "time_ratio") return "";
   if (kind === "angle" && order === 0) return "°";
   const unit = unitOfRate({ kind, order, physical: physical || moves === "time" }, moves, words);
   return unit === "1" ? "" : unit;
@@ -80,13 +80,13 @@ function unitOfQuantity(quantity, moves, physical, words) {
 /**
  * @param {string} quantity
  * @returns parts of the name. `bare`: the name without primes and suffix; `of`, `what`: its point or link and its quantity; `order`: order of the
- * derivative; `whole`: property of the whole motion
+ * derivative; `property`: property of the whole motion
  */
 function partsOf(quantity) {
-  const [name, whole] = quantity.split(":");
+  const [name, property] = quantity.split(":");
   const bare = name.replace(/[′″]$/, "");
   const dot = bare.lastIndexOf(".");
-  return { bare, of: bare.slice(0, dot), what: bare.slice(dot + 1), order: STROKES.indexOf(name.slice(bare.length)), whole };
+  return { bare, of: bare.slice(0, dot), what: bare.slice(dot + 1), order: STROKES.indexOf(name.slice(bare.length)), property };
 }
 
 /**
@@ -119,14 +119,14 @@ export function withTolerance(question, within, unit, words) {
 export function quantityName(quantity, { summary, coordinate, state }, words) {
   if (quantity === "input") return coordinate.symbol;
   if (quantity === W) return W;
-  const { bare, of, what, order, whole } = partsOf(quantity);
+  const { bare, of, what, order, property } = partsOf(quantity);
   const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
   const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
   const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
   const said = short.endsWith(whose) ? short : `${short} (${whose})`;
-  if (whole === undefined) return said;
+  if (property === undefined) return said;
   // The range is called the swing of an angle and the stroke of a length.
-  return words.text(whole === "swing" && !isAngle(bare) ? "write.whole.stroke" : `write.whole.${whole}`, { quantity: said });
+  return words.text(property === "swing" && !isAngle(bare) ? "write.whole.stroke" : `write.whole.${property}`, { quantity: said });
 }
 
 /**
@@ -136,8 +136,8 @@ export function quantityName(quantity, { summary, coordinate, state }, words) {
 export function tellers(quantity) {
   if (quantity === "input") return [];
   if (quantity === W) return ["linkage-w"];
-  const { bare, of, what, order, whole } = partsOf(quantity);
-  if (whole !== undefined) return TELLERS[whole]?.(of, what) ?? [];
+  const { bare, of, what, order, property } = partsOf(quantity);
+  if (property !== undefined) return TELLERS[property]?.(of, what) ?? [];
   // The status line of a differential shows its speeds, too.
   return [readoutOf(bare, order), ...(order === 1 && what === "angle" ? [`train-${of}`] : [])];
 }

@@ -10,10 +10,10 @@
  */
 export function progressSaid(number, steps, { solved, shown }, words) {
   const { numbers } = words;
-  const place = number === null ? words.text("lesson.end") : words.text("lesson.progress", { number: numbers.exact(number), count: numbers.exact(steps) });
+  const progress = number === null ? words.text("lesson.end") : words.text("lesson.progress", { number: numbers.exact(number), count: numbers.exact(steps) });
   const done = solved > 0 ? `, ${words.counted("lesson.solved", solved)}` : "";
   const given = shown > 0 ? `, ${words.text("lesson.shown", { count: numbers.exact(shown) })}` : "";
-  return place + done + given;
+  return progress + done + given;
 }
 
 /**

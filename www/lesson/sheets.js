@@ -12,7 +12,7 @@ import { quantityName, tellers, toleranceOf, unitIn, withTolerance } from "assur
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
 import { byName } from "assur/state/readouts.js";
-import { alone } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
@@ -124,15 +124,15 @@ function seenOf(task, number, engine) {
 
 /**
  * @param {import("assur/state/state.js").State} state
- * @param {number | null} place position of the driver in the reader's unit; null for the position in the state
+ * @param {number | null} inputShown position of the driver in the reader's unit; null for the position in the state
  * @param {Engine} engine
  * @returns the engine's summary of the state's mechanism, and its drawing with the driver at this position
  */
-function seenIn(state, place, engine) {
-  return engine.beside((other) => {
-    const summary = other.set(alone(state));
+function seenIn(state, inputShown, engine) {
+  return engine.withScratchSimulator((other) => {
+    const summary = other.set(withoutExtras(state));
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
-    const frameInput = coordinate ? coordinate.input(place ?? coordinate.of(state)) : 0;
+    const frameInput = coordinate ? coordinate.input(inputShown ?? coordinate.of(state)) : 0;
     const { frame, readouts: values } = other.at(frameInput);
     const readouts = byName(other.readoutNames(), values);
     return { state, summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: other.lengths() };

@@ -9,7 +9,7 @@ import { SWITCHES, contains, initialState } from "assur/state/state.js";
  * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/lesson/folder.js").OwnPresets} OwnPresets
  * @typedef {import("assur/lesson/folder.js").Show} Show
- * @typedef {import("assur/lesson/folder.js").Whole} Whole
+ * @typedef {import("assur/lesson/folder.js").TypedDocument} TypedDocument
  * @typedef {import("assur/state/state.js").View} View
  */
 
@@ -17,11 +17,11 @@ import { SWITCHES, contains, initialState } from "assur/state/state.js";
  * @param {Show} show
  * @param {OwnPresets} presets of the lesson
  * @param {Engine} engine
- * @returns {import("assur/lesson/folder.js").Whole | undefined} the preset that the button opens, undefined if there is none of this name
+ * @returns {import("assur/lesson/folder.js").TypedDocument | undefined} the preset that the button opens, undefined if there is none of this name
  */
 export function opens({ preset }, presets, engine) {
-  const whole = presets[preset] ?? engine.catalogue.preset(preset);
-  return whole && /** @type {Whole} */ ({ kind: whole.kind, document: whole.document });
+  const opened = presets[preset] ?? engine.catalogue.preset(preset);
+  return opened && /** @type {TypedDocument} */ ({ kind: opened.kind, document: opened.document });
 }
 
 /**
@@ -33,9 +33,9 @@ export function opens({ preset }, presets, engine) {
  * @returns {boolean} whether the preset of `show` exists
  */
 export function open(show, presets, page, view = {}) {
-  const whole = opens(show, presets, page.engine);
-  if (whole) page.choose(whole.kind, whole.document, edits(show, whole.document, page.engine.simulator), (summary) => ({ ...looked(show, summary), ...view }));
-  return whole !== undefined;
+  const opened = opens(show, presets, page.engine);
+  if (opened) page.choose(opened.kind, opened.document, edits(show, opened.document, page.engine.simulator), (summary) => ({ ...looked(show, summary), ...view }));
+  return opened !== undefined;
 }
 
 /**
@@ -47,21 +47,21 @@ export function open(show, presets, page, view = {}) {
  */
 export function holds(show, presets, engine) {
   return (state) => {
-    const whole = opens(show, presets, engine);
-    if (!whole || whole.kind !== state.kind) return false;
-    if (!show.set && !show.drive) return contains(state, whole);
+    const opened = opens(show, presets, engine);
+    if (!opened || opened.kind !== state.kind) return false;
+    if (!show.set && !show.drive) return contains(state, opened);
     // The preset gets the same edits here as in `open`.
-    const document = attempt(() => engine.beside((other) => edits(show, whole.document, other).reduce((now, { asked }) => {
-      const summary = other.set(initialState(whole.kind, now, {}));
-      return /** @type {Whole["document"]} */ ({ ...now, ...asked(summary.moves === null ? 0 : summary.home).document });
-    }, whole.document))).value;
+    const document = attempt(() => engine.withScratchSimulator((other) => edits(show, opened.document, other).reduce((now, { asked }) => {
+      const summary = other.set(initialState(opened.kind, now, {}));
+      return /** @type {TypedDocument["document"]} */ ({ ...now, ...asked(summary.moves === null ? 0 : summary.home).document });
+    }, opened.document))).value;
     return document !== null && contains(/** @type {object} */ (state.document), document);
   };
 }
 
 /**
  * @param {Show} show
- * @param {Whole["document"]} document document of the preset
+ * @param {TypedDocument["document"]} document document of the preset
  * @param {Pick<import("assur/pkg/assur_web.js").Simulator, "setDimension" | "drive">} simulator
  * @returns {import("assur/state/change.js").Edit[]} edits that turn the preset into the document to open
  */
@@ -84,7 +84,7 @@ function looked({ play = false, overlays = ["traces"], plot = "angles", at }, su
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
-  const place = input === undefined || !coordinate ? {} : { [coordinate.field]: coordinate.place(input) };
+  const driven = input === undefined || !coordinate ? {} : { [coordinate.viewKey]: coordinate.inputShown(input) };
   // The texts of steps describe plots of analogues, whatever the reader chose before.
-  return { ...shown, plot, axes: "analogues", ...place, playing: play };
+  return { ...shown, plot, axes: "analogues", ...driven, playing: play };
 }

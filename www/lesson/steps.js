@@ -15,7 +15,7 @@ export const READERS = Object.freeze(["lang", "lesson", "projector", "drawing"])
  * @param {import("assur/app/page.js").Page} page
  * @returns {NonNullable<Step["shows"]>} the document and view of the page
  */
-export function shownNow({ model: { good: { kind, document, view } } }) {
+export function shownNow({ model: { lastAccepted: { kind, document, view } } }) {
   const usual = /** @type {Record<string, unknown>} */ (usualView(RESTING));
   const own = Object.entries(view).filter(([key, value]) => !READERS.includes(key) && !contains(usual, { [key]: value }));
   return /** @type {NonNullable<Step["shows"]>} */ ({ kind, document, view: Object.fromEntries(own) });
@@ -23,12 +23,12 @@ export function shownNow({ model: { good: { kind, document, view } } }) {
 
 /**
  * @template {object} T
- * @param {T} whole
+ * @param {T} object
  * @param {Partial<T>} change
  * @returns {T} the changed object without the entries that are undefined or null
  */
-export function changed(whole, change) {
-  const entries = Object.entries({ ...whole, ...change });
+export function changed(object, change) {
+  const entries = Object.entries({ ...object, ...change });
   return /** @type {T} */ (Object.fromEntries(entries.filter(([, value]) => value !== undefined && value !== null)));
 }
 

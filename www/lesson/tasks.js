@@ -6,7 +6,7 @@ import { withNumber } from "assur/lesson/field.js";
 import { W, isAngle } from "assur/lesson/quantity.js";
 import { Coordinate } from "assur/state/coordinate.js";
 import { byName } from "assur/state/readouts.js";
-import { alone, initialState, withDocument } from "assur/state/state.js";
+import { initialState, withDocument, withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -27,7 +27,7 @@ export const RESTING = Object.freeze({ phi_deg: 0, playing: false });
 const TRIES = 64;
 
 /** Properties of a whole motion that can be asked for, by the suffix of the quantity. */
-const WHOLE = Object.freeze(["swing", "time_ratio", "worst"]);
+const PROPERTIES = Object.freeze(["swing", "time_ratio", "worst"]);
 
 /**
  * @param {Written} lesson
@@ -55,8 +55,8 @@ export function taskOf(lesson, index, name, engine) {
   const state = initialState(kind, document, { ...RESTING, ...view });
   if (vary.length === 0 || name.trim() === "") return { state, own: [] };
   const next = ownNumbers(name, at);
-  const followed = new Set((attempt(() => engine.functions.numbersOf(alone(state))).value ?? []).filter((one) => one.followed).map(({ field }) => field));
-  return engine.beside((other) => {
+  const followed = new Set((attempt(() => engine.functions.numbersOf(withoutExtras(state))).value ?? []).filter((one) => one.followed).map(({ field }) => field));
+  return engine.withScratchSimulator((other) => {
     for (let tries = 0; tries < TRIES; tries++) {
       const own = vary.map((range) => ({ field: range.field, value: valueIn(range, next()) }));
       const fit = attempt(() => withOwn(state, own, followed, other)).value;
@@ -109,25 +109,25 @@ export function answerOf(lesson, index, name, engine) {
   if (value !== undefined && value !== null) return value;
   const task = quantity ? taskOf(lesson, index, name, engine) : null;
   if (!task || !quantity) return null;
-  return engine.beside((other) => attempt(() => {
+  return engine.withScratchSimulator((other) => attempt(() => {
     const summary = other.set(task.state);
-    if (summary.moves === null) return valueOf(quantity, { summary, place: 0, readouts: null });
+    if (summary.moves === null) return valueOf(quantity, { summary, inputShown: 0, readouts: null });
     const coordinate = coordinateOf(summary);
-    const place = at ?? coordinate.of(task.state);
-    return valueOf(quantity, { summary, place, readouts: byName(other.readoutNames(), other.at(coordinate.input(place)).readouts) });
+    const inputShown = at ?? coordinate.of(task.state);
+    return valueOf(quantity, { summary, inputShown, readouts: byName(other.readoutNames(), other.at(coordinate.input(inputShown)).readouts) });
   })).value;
 }
 
 /**
  * @param {string} quantity
- * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "place" | "readouts">} here
+ * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "inputShown" | "readouts">} here
  * @returns {number | null} the quantity's value in the reader's unit, null if there is none
  */
-export function valueOf(quantity, { summary, place, readouts }) {
+export function valueOf(quantity, { summary, inputShown, readouts }) {
   if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
-  if (quantity === "input") return summary.moves === null ? null : place;
-  const [name, whole] = quantity.split(":");
-  if (whole !== undefined) return wholeOf(name, whole, summary);
+  if (quantity === "input") return summary.moves === null ? null : inputShown;
+  const [name, property] = quantity.split(":");
+  if (property !== undefined) return propertyOf(name, property, summary);
   const value = readouts?.[name];
   return value === undefined ? null : counted(value, name);
 }
@@ -143,22 +143,22 @@ function counted(value, quantity) {
 
 /**
  * @param {string} name
- * @param {string} whole one of {@link WHOLE}
+ * @param {string} property one of {@link PROPERTIES}
  * @param {Summary} summary
  */
-function wholeOf(name, whole, summary) {
-  if (whole === "worst") {
+function propertyOf(name, property, summary) {
+  if (property === "worst") {
     const worst = "transmissions" in summary ? summary.transmissions.find(({ joint, what }) => `${joint}.${what}` === name)?.worst : undefined;
     return worst === undefined || worst === null ? null : degrees(worst);
   }
   const output = summary.moves === null ? undefined : summary.outputs.find((one) => one.name === name);
-  if (whole === "time_ratio") return output?.time_ratio ?? null;
-  const stroke = whole === "swing" ? output?.swing[0]?.stroke : undefined;
+  if (property === "time_ratio") return output?.time_ratio ?? null;
+  const stroke = property === "swing" ? output?.swing[0]?.stroke : undefined;
   return stroke === undefined ? null : counted(stroke, name);
 }
 
 /**
- * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "readouts" | "place">} here
+ * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "readouts" | "inputShown">} here
  * @returns {string[]} all quantities that have a value for the mechanism
  */
 export function quantities(here) {
@@ -166,6 +166,6 @@ export function quantities(here) {
   if (summary.moves === null) return [W].filter((name) => valueOf(name, here) !== null);
   const outputs = summary.outputs.map(({ name }) => name);
   const joints = "transmissions" in summary ? summary.transmissions.map(({ joint, what }) => `${joint}.${what}`) : [];
-  const wholes = [...outputs, ...joints].flatMap((name) => WHOLE.map((whole) => `${name}:${whole}`));
-  return ["input", W, ...wholes, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
+  const properties = [...outputs, ...joints].flatMap((name) => PROPERTIES.map((property) => `${name}:${property}`));
+  return ["input", W, ...properties, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
 }

@@ -8,7 +8,7 @@ import { isAngle, quantityName, tellers, unitOf } from "assur/lesson/quantity.js
 import { QUESTIONS, changed, shownNow, sortOf, withMoved, withNewStep, withStep, withoutStep } from "assur/lesson/steps.js";
 import { answerOf, quantities, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
 import { digestOf, verdictOn } from "assur/lesson/verdict.js";
-import { initialState, withFurther } from "assur/state/state.js";
+import { initialState, withExtras } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 import { Page } from "assur/tests/page.js";
 import { snapshotOf } from "assur/tests/shown.js";
@@ -145,7 +145,7 @@ test("an angle may be told a turn more or less, a length may not", () => {
 test("a lesson is identified by its content, not by how it is written down", () => {
   const jansen = engine.catalogue.preset("jansen");
   const lesson = lessonOf(jansen, [], { quantity: "F.y" });
-  const read = engine.read(withFurther(initialState(jansen.kind, jansen.document, {}), { lesson })).lesson;
+  const read = engine.read(withExtras(initialState(jansen.kind, jansen.document, {}), { lesson })).lesson;
   assert.equal(digestOf(read, engine), digestOf(lesson, engine));
   assert.notEqual(digestOf({ ...lesson, title: "Other" }, engine), digestOf(lesson, engine));
   // A code of the one lesson is not that of the other.
@@ -232,7 +232,7 @@ test("a lesson that is none is refused by its place", () => {
   const refusal = (change) => {
     const lesson = structuredClone(good);
     change(lesson);
-    return attempt(() => engine.read(withFurther(initialState(jansen.kind, jansen.document, {}), { lesson }))).problems.map((problem) => JSON.stringify(problem)).join();
+    return attempt(() => engine.read(withExtras(initialState(jansen.kind, jansen.document, {}), { lesson }))).problems.map((problem) => JSON.stringify(problem)).join();
   };
   assert.equal(refusal(() => {}), "");
   for (const [change, said] of [

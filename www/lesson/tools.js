@@ -6,7 +6,7 @@ import { fieldOf } from "assur/lesson/field.js";
  * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted
  * Tools of a step. `controls`: fields of the controls. `readouts`: ids of read-outs, without `out-`. `lends`: ids of parts of the page.
  * @typedef {import("assur/state/state.js").State["document"]} Document
- * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Loan
+ * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Borrowed
  * `element`: the borrowed element. `home`: placeholder where the element belongs. `open`: whether the element was unfolded.
  */
 
@@ -14,8 +14,8 @@ export class Tools {
   #controls = make("div", { class: "lesson-controls" });
   #readouts = make("dl", { class: "lesson-readouts" });
   #parts = make("div");
-  /** @type {Loan[]} */
-  #lent = [];
+  /** @type {Borrowed[]} */
+  #borrowed = [];
   /** @type {Wanted | null} */
   #step = null;
   /** @type {(() => Document) | null} */
@@ -47,8 +47,8 @@ export class Tools {
   /** Gives back all borrowed elements. */
   close() {
     this.#watch.disconnect();
-    for (const loan of this.#lent) giveBack(loan);
-    this.#lent = [];
+    for (const one of this.#borrowed) giveBack(one);
+    this.#borrowed = [];
     this.#step = null;
   }
 
@@ -62,7 +62,7 @@ export class Tools {
     if (!this.#step || !this.#document) return;
     const { controls = [], lends = [] } = this.#step;
     // If a part of the page with a placeholder was rebuilt, the old element is dropped and its replacement is borrowed.
-    this.#lent = this.#lent.filter((loan) => loan.home.isConnected || giveBack(loan));
+    this.#borrowed = this.#borrowed.filter((one) => one.home.isConnected || giveBack(one));
     const document = this.#document();
     for (const name of controls) {
       const selector = `[data-field="${CSS.escape(fieldOf(name, document))}"]`;
@@ -79,15 +79,15 @@ export class Tools {
 
   /**
    * @param {Element} element
-   * @param {HTMLElement} place
-   * @returns {boolean} whether the element was moved to `place`; false if it was already there
+   * @param {HTMLElement} container
+   * @returns {boolean} whether the element was moved to the container; false if it was already there
    */
-  #take(element, place) {
-    if (!(element instanceof HTMLElement) || place.contains(element)) return false;
+  #take(element, container) {
+    if (!(element instanceof HTMLElement) || container.contains(element)) return false;
     const home = new Comment("in the lesson");
     element.replaceWith(home);
-    place.append(element);
-    this.#lent.push({ element, home, open: element instanceof HTMLDetailsElement && element.open });
+    container.append(element);
+    this.#borrowed.push({ element, home, open: element instanceof HTMLDetailsElement && element.open });
     return true;
   }
 
@@ -128,7 +128,7 @@ export function derived(symbol, order, head) {
 }
 
 /**
- * @param {Loan} loan
+ * @param {Borrowed} borrowed
  * @returns {false} always, because the element is no longer borrowed
  */
 function giveBack({ element, home, open }) {

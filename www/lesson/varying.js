@@ -5,7 +5,7 @@ import { parseNumber } from "assur/core/numbers.js";
 import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
 import { withStep } from "assur/lesson/steps.js";
-import { alone } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
@@ -99,7 +99,7 @@ export class Varying {
   /** @returns {readonly import("assur/types/file.js").NumberField[]} numbers of the page's document that a lesson may vary */
   #numbers() {
     const { engine, store } = this.#page;
-    return attempt(() => engine.functions.numbersOf(alone(store.get()))).value ?? [];
+    return attempt(() => engine.functions.numbersOf(withoutExtras(store.get()))).value ?? [];
   }
 
   /** @param {string} field */

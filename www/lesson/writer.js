@@ -12,12 +12,12 @@ import "assur/lesson/style.js";
 import { Varying } from "assur/lesson/varying.js";
 import { WRITTEN_HERE, digestOf } from "assur/lesson/verdict.js";
 import { openShown } from "assur/lesson/written.js";
-import { withFurther, withView } from "assur/state/state.js";
+import { withExtras, withView } from "assur/state/state.js";
 import { keep } from "assur/state/storage.js";
 
 /**
  * @typedef {import("assur/lesson/steps.js").Written} Written
- * @typedef {import("assur/lesson/fields.js").Field} Field
+ * @typedef {import("assur/lesson/fields.js").FormField} FormField
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {HTMLInputElement | HTMLTextAreaElement} Control
  */
@@ -25,7 +25,7 @@ import { keep } from "assur/state/storage.js";
 export class Writer {
   #page;
   #words;
-  /** @type {Map<Field, { control: Control, row: HTMLElement }>} */
+  /** @type {Map<FormField, { control: Control, row: HTMLElement }>} */
   #fields = new Map();
   #title = make("h2", { id: "write-heading", tabindex: "-1" });
   #walked = make("p", { id: "write-progress", role: "status" });
@@ -39,11 +39,11 @@ export class Writer {
   #at = -1;
 
   /**
-   * @param {HTMLElement} place
+   * @param {HTMLElement} container
    * @param {import("assur/app/page.js").Page} page
    * @param {import("assur/core/words.js").Words} words
    */
-  constructor(place, page, words) {
+  constructor(container, page, words) {
     this.#page = page;
     this.#words = words;
     const button = (/** @type {string} */ id, /** @type {() => void} */ act, /** @type {string} */ sign = "") => {
@@ -69,7 +69,7 @@ export class Writer {
     this.#asking = new Asking(page, words, change);
     this.#varying = new Varying(page, words, change);
     this.#results = new Results(page, words);
-    const of = (/** @type {Field["of"]} */ what) => FIELDS.filter((field) => field.of === what).map((field) => this.#row(field));
+    const of = (/** @type {FormField["of"]} */ what) => FIELDS.filter((field) => field.of === what).map((field) => this.#row(field));
     write(this.#title, words.text("write.heading"));
     const form = make("form", { id: "write", autocomplete: "off" }, [
       ...of("lesson"),
@@ -81,7 +81,7 @@ export class Writer {
     ]);
     form.addEventListener("submit", (event) => event.preventDefault());
     const read = button("read", () => page.lesson.write(false));
-    place.replaceChildren(this.#title, form, this.#said, read, this.#results.element);
+    container.replaceChildren(this.#title, form, this.#said, read, this.#results.element);
   }
 
   focus() {
@@ -128,7 +128,7 @@ export class Writer {
     this.#at = index;
   }
 
-  /** @param {Field} field */
+  /** @param {FormField} field */
   #row(field) {
     const { id, rows = 0, most, numeric } = field;
     const shared = { id: `write-${id}`, class: numeric ? "control number" : "control", ...(most && { maxlength: String(most) }) };
@@ -140,7 +140,7 @@ export class Writer {
   }
 
   /**
-   * @param {Field} field
+   * @param {FormField} field
    * @param {Control} control
    */
   #type(field, control) {
@@ -163,7 +163,7 @@ export class Writer {
     const { problems } = attempt(() => engine.functions.readLesson(next));
     write(this.#said, problems.map((problem) => sentence(problem, this.#words)).join(" "));
     if (problems.length > 0) return false;
-    store.update((now) => withFurther(now, { lesson: next }));
+    store.update((now) => withExtras(now, { lesson: next }));
     keep(WRITTEN_HERE, digestOf(next, engine));
     return true;
   }

@@ -2,14 +2,15 @@
 // script. File names contain hashes of the contents, so that an open page keeps the files of its own version.
 
 /**
- * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} Step event in the life cycle of the worker
- * @typedef {Event & { request: Request, respondWith(answer: Promise<Response>): void }} Asked
+ * Types of the library `webworker`, as far as they are used here; that library cannot be checked together with `dom`.
+ * @typedef {Event & { waitUntil(done: Promise<unknown>): void }} ExtendableEvent
+ * @typedef {Event & { request: Request, respondWith(answer: Promise<Response>): void }} FetchEvent
  * @typedef {Window & typeof globalThis & {
  *   version: string, registration: { scope: string }, clients: { claim(): Promise<void> }, skipWaiting(): Promise<void>
- * }} Keeper
+ * }} ServiceWorkerGlobalScope `version`: written by the build
  */
 
-const worker = /** @type {Keeper} */ (self);
+const worker = /** @type {ServiceWorkerGlobalScope} */ (self);
 
 /** Number of the build, then names of the files. */
 const [BUILD, ...FILES] = worker.version.split(" ");
@@ -23,19 +24,19 @@ const KEPT = 2;
 const ANY = Object.freeze({ ignoreVary: true });
 
 addEventListener("install", (event) => {
-  const step = /** @type {Step} */ (event);
-  step.waitUntil(install());
+  const extendable = /** @type {ExtendableEvent} */ (event);
+  extendable.waitUntil(install());
 });
 
 addEventListener("activate", (event) => {
-  const step = /** @type {Step} */ (event);
-  step.waitUntil(activate());
+  const extendable = /** @type {ExtendableEvent} */ (event);
+  extendable.waitUntil(activate());
 });
 
 addEventListener("fetch", (event) => {
-  const asked = /** @type {Asked} */ (event);
-  const { method, url } = asked.request;
-  if (method === "GET" && url.startsWith(scope)) asked.respondWith(answer(asked.request));
+  const fetched = /** @type {FetchEvent} */ (event);
+  const { method, url } = fetched.request;
+  if (method === "GET" && url.startsWith(scope)) fetched.respondWith(answer(fetched.request));
 });
 
 /** Stores all files of this version or none: an incomplete version never answers a request. */

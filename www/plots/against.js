@@ -4,10 +4,10 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { readoutOf, subscript, symbol } from "assur/core/symbols.js";
 import { paintTag } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
-import { inDegrees, power, unitOf, written } from "assur/plots/units.js";
+import { axisValueText, inDegrees, power, unitOf } from "assur/plots/units.js";
 
 /**
- * @typedef {import("assur/types/web.js").AgainstLayout} Field
+ * @typedef {import("assur/types/web.js").AgainstLayout} XyPlot
  * @typedef {import("assur/types/web.js").AxisLayout} Axis
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
@@ -30,7 +30,7 @@ const ALIKE = 4;
 /**
  * Converts an axis to the scale that the functions of `plots/units.js` take.
  * @param {Axis} axis
- * @param {Field} field
+ * @param {XyPlot} plot
  */
 function scale({ kind, order, from, to }, { physical }) {
   return { kind, order, physical, y0: from, y1: to };
@@ -38,7 +38,7 @@ function scale({ kind, order, from, to }, { physical }) {
 
 /**
  * @param {Axis} axis
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
  * @returns {string} the symbol of an axis
  */
@@ -50,37 +50,37 @@ export function axisName({ name, number, order }, { physical }, { coordinate, wo
 
 /**
  * @param {Axis} axis
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {Pick<Snapshot, "coordinate" | "words">} snapshot
  * @returns {string} the symbol of the axis with its unit
  */
-function titled(axis, field, { coordinate, words }) {
+function xyAxisTitle(axis, plot, { coordinate, words }) {
   const time = axis.name === null && coordinate.moves === "time";
-  const unit = time ? words.text("unit.s") : unitOf(scale(axis, field), coordinate, words);
-  return [axisName(axis, field, { coordinate, words }), ...(unit === "" ? [] : [unit])].join(", ");
+  const unit = time ? words.text("unit.s") : unitOf(scale(axis, plot), coordinate, words);
+  return [axisName(axis, plot, { coordinate, words }), ...(unit === "" ? [] : [unit])].join(", ");
 }
 
 /**
  * Writes a value of an axis as text.
  * @param {Axis} axis
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {number} value
  * @param {import("assur/core/words.js").Words} words
  * @param {boolean} [moving]
  */
-export function told(axis, field, value, { numbers }, moving = false) {
-  return written(scale(axis, field), value, numbers, moving);
+export function xyValueText(axis, plot, value, { numbers }, moving = false) {
+  return axisValueText(scale(axis, plot), value, numbers, moving);
 }
 
 /**
  * Paints the titles of the axes and the numbers along them.
  * @param {import("assur/canvas/painter.js").Context} context
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {Snapshot} snapshot
  * @param {Theme} theme
  */
-export function drawAgainstText(context, field, snapshot, theme) {
-  const { left, top, width, height, x, y, role } = field;
+export function drawAgainstText(context, plot, snapshot, theme) {
+  const { left, top, width, height, x, y, role } = plot;
   const { numbers } = snapshot.words;
   const title = `600 ${13 * theme.scale}px ${theme.font}`;
   const [right, bottom] = [left + width, top + height];
@@ -88,14 +88,14 @@ export function drawAgainstText(context, field, snapshot, theme) {
   context.textBaseline = "alphabetic";
   context.textAlign = "left";
   context.fillStyle = theme.inks[role];
-  context.fillText(`↑ ${titled(y, field, snapshot)}`, left, top - 9 * theme.scale, width);
+  context.fillText(`↑ ${xyAxisTitle(y, plot, snapshot)}`, left, top - 9 * theme.scale, width);
   context.textAlign = "right";
   context.fillStyle = theme.colours.ink;
-  context.fillText(`${titled(x, field, snapshot)} →`, right, bottom + 34 * theme.scale, width);
+  context.fillText(`${xyAxisTitle(x, plot, snapshot)} →`, right, bottom + 34 * theme.scale, width);
   const font = setChartFont(context, theme);
   context.fillStyle = theme.colours.secondary;
   const texts = (/** @type {Axis} */ axis) => {
-    const units = scale(axis, field);
+    const units = scale(axis, plot);
     return axis.ticks.map(({ value, at }) => ({ at, text: numbers.upTo(value / 10 ** power(units), 6) + (inDegrees(units) ? "°" : "") }));
   };
   context.textBaseline = "middle";
@@ -116,15 +116,15 @@ export function drawAgainstText(context, field, snapshot, theme) {
 /**
  * Paints a dot on the curve, with dashed lines to the axes.
  * @param {CanvasRenderingContext2D} context
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {Float64Array | null} values abscissa and ordinate
  * @param {Snapshot} snapshot
  * @param {Theme} theme
  * @param {{ tagged: boolean, input?: number }} how `tagged`: whether the values are written; `input`: input to write before them
  */
-export function drawAgainstCursor(context, field, values, { coordinate, state, words, withheld }, theme, { tagged, input }) {
+export function drawAgainstCursor(context, plot, values, { coordinate, state, words, withheld }, theme, { tagged, input }) {
   if (!values) return;
-  const { left, top, width, height, x, y, role } = field;
+  const { left, top, width, height, x, y, role } = plot;
   const [right, bottom] = [left + width, top + height];
   const at = left + (width * (values[0] - x.from)) / (x.to - x.from);
   const down = top + (height * (y.to - values[1])) / (y.to - y.from);
@@ -150,22 +150,22 @@ export function drawAgainstCursor(context, field, values, { coordinate, state, w
   const { playing } = state.view;
   const numbers = [x, y].map((axis, i) => {
     const hidden = axis.name !== null && withheld.has(readoutOf(axis.name, axis.order));
-    return hidden ? "?" : told(axis, field, values[i], words, playing);
+    return hidden ? "?" : xyValueText(axis, plot, values[i], words, playing);
   }).join("; ");
   const text = input === undefined ? numbers : `${coordinate.text(input, words, 1)}: ${numbers}`;
   const font = setChartFont(context, theme);
   const [wide, tall] = [textWidth(context, font, text) + 10, TAG * theme.scale];
-  const place = freeCorner(field, at, down, [wide, tall], (DOT + 5) * theme.scale);
-  paintTag(context, { ...place, width: wide, tall }, { text, colour: colours[role], ink: theme.inks[role] }, theme);
+  const corner = freeCorner(plot, at, down, [wide, tall], (DOT + 5) * theme.scale);
+  paintTag(context, { ...corner, width: wide, tall }, { text, colour: colours[role], ink: theme.inks[role] }, theme);
 }
 
 /**
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {number} at x of a dot
  * @param {number} down y of the dot
  * @param {[number, number]} size width and height of its numbers
  * @param {number} off distance of the numbers from the dot
- * @returns the place beside the dot at which its numbers cover the fewest points of the curve
+ * @returns the corner beside the dot at which its numbers cover the fewest points of the curve
  */
 function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall], off) {
   const lefts = [at + off, at - off - wide].map((x) => Math.min(Math.max(x, left), left + width + 7 - wide));
@@ -175,7 +175,7 @@ function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall],
 }
 
 /**
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {number} x
  * @param {number} y of a pointer
  * @param {number} beyond greatest distance outside the plot, in pixels
@@ -214,21 +214,21 @@ function nearest(run, x, y) {
 }
 
 /**
- * @param {Field} field
+ * @param {XyPlot} plot
  * @param {Snapshot} snapshot
  * @returns {string} description of the plot for screen readers
  */
-export function described(field, { coordinate, words }) {
-  const { left, top, width, height, curve, x, y } = field;
+export function described(plot, { coordinate, words }) {
+  const { left, top, width, height, curve, x, y } = plot;
   const points = curve.flatMap((run) => run.flatMap((_, i) => (i % 3 === 0 ? [[run[i], run[i + 1]]] : [])));
   const said = (/** @type {Axis} */ axis, /** @type {number[]} */ values) => {
     const input = axis.name === null;
-    const [from, to] = [Math.min(...values), Math.max(...values)].map((value) => (input ? coordinate.text(value, words, 1) : told(axis, field, value, words)));
-    return words.text("told.spans", { name: axisName(axis, field, { coordinate, words }), from, to });
+    const [from, to] = [Math.min(...values), Math.max(...values)].map((value) => (input ? coordinate.text(value, words, 1) : xyValueText(axis, plot, value, words)));
+    return words.text("told.spans", { name: axisName(axis, plot, { coordinate, words }), from, to });
   };
   const across = points.map(([at]) => x.from + ((x.to - x.from) * (at - left)) / width);
   const up = points.map(([, at]) => y.to - ((y.to - y.from) * (at - top)) / height);
-  const names = { y: axisName(y, field, { coordinate, words }), x: axisName(x, field, { coordinate, words }) };
+  const names = { y: axisName(y, plot, { coordinate, words }), x: axisName(x, plot, { coordinate, words }) };
   const spans = points.length > 0 ? [said(x, across), said(y, up)] : [];
   return [words.text("told.against", names), ...spans].join(" ");
 }

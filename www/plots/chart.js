@@ -55,7 +55,7 @@ export class ChartView {
   render(snapshot) {
     this.#snapshot = snapshot;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
-    const { start } = snapshot.coordinate.axis(snapshot.place);
+    const { start } = snapshot.coordinate.axis(snapshot.inputShown);
     const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start} ${snapshot.state.view.only}`;
     if (wanted === this.#drawn) return;
     this.#drawn = wanted;
@@ -66,8 +66,8 @@ export class ChartView {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
-    const { drawn, ...places } = this.#paint(this.#surface, snapshot, this.#theme, false);
-    ({ panels: this.panels, against: this.against, labels: this.labels } = places);
+    const { drawn, ...layout } = this.#paint(this.#surface, snapshot, this.#theme, false);
+    ({ panels: this.panels, against: this.against, labels: this.labels } = layout);
     if (this.#drawable && !drawn) this.#failed();
     this.#drawable = drawn;
     this.redrawn();
@@ -97,16 +97,16 @@ export class ChartView {
    * @param {import("assur/canvas/painter.js").Target} target in CSS pixels
    * @param {Snapshot} snapshot
    * @param {Theme} theme
-   * @param {boolean} whole whether the curves go through all their points; otherwise indistinguishable points are omitted
+   * @param {boolean} fullDetail whether the curves go through all their points; otherwise indistinguishable points are omitted
    * @returns places of the plots and their labels, and whether they could be drawn
    */
-  #paint({ context, ratio }, snapshot, theme, whole) {
+  #paint({ context, ratio }, snapshot, theme, fullDetail) {
     const { width, height } = this.#surface;
     const { palette, scale } = theme;
     const { only } = snapshot.state.view;
     // On a new or resized canvas the value is "miter".
     context.lineJoin = "round";
-    const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole, only, around: snapshot.input }));
+    const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole: fullDetail, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };
     const covered = this.#overlay?.(context, panels, snapshot, this.#engine, theme) ?? [];
     const titles = drawChartText(context, panels, snapshot, theme);

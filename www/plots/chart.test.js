@@ -9,8 +9,8 @@ import { ChartView } from "assur/plots/chart.js";
 import { Refusal } from "assur/core/problem.js";
 import { across, angleAt, down, shows } from "assur/plots/panel.js";
 import { drawChartText } from "assur/plots/text.js";
-import { power, unitOf, written as writtenOn } from "assur/plots/units.js";
-import { written } from "assur/plots/values.js";
+import { axisValueText, power, unitOf } from "assur/plots/units.js";
+import { quantityText } from "assur/plots/values.js";
 import { withDocument, withView } from "assur/state/state.js";
 import { often } from "assur/tests/random.js";
 import { Page } from "assur/tests/page.js";
@@ -130,10 +130,10 @@ test("numbers of an axis have four digits of what it spans, and powers of ten wh
   const panel = (y0, y1, kind = "length", order = 0) => ({ y0, y1, kind, order, physical: false });
   for (const [y0, y1, value, text, exponent] of [[0, 1, 0.123456, "0.1235", 0], [0, 100, 12.3456, "12.35", 0], [-5000, 5000, 1234.5, "1235", 0], [0, 2e6, 1234567, "1.235", 6], [0, 5e-4, 1.23456e-4, "123.5", -6]]) {
     assert.equal(power(panel(y0, y1)), exponent, `${y0} ${y1}`);
-    assert.equal(writtenOn(panel(y0, y1), value, en.numbers), text);
+    assert.equal(axisValueText(panel(y0, y1), value, en.numbers), text);
   }
-  assert.equal(writtenOn(panel(0, 7, "angle"), Math.PI, en.numbers), "180.0°");
-  assert.equal(writtenOn(panel(0, 7, "angle"), Math.PI, en.numbers, true), "180°");
+  assert.equal(axisValueText(panel(0, 7, "angle"), Math.PI, en.numbers), "180.0°");
+  assert.equal(axisValueText(panel(0, 7, "angle"), Math.PI, en.numbers, true), "180°");
   const coordinate = { moves: "angle" };
   assert.equal(unitOf(panel(0, 2e6), coordinate, en.measured("mm")), "10⁶ mm");
   assert.equal(unitOf(panel(0, 1, "angle", 1), coordinate, en), "1");
@@ -143,9 +143,9 @@ test("numbers of an axis have four digits of what it spans, and powers of ten wh
 });
 
 test("values that stand alone have three decimals, large ones fewer", () => {
-  const say = (...of) => written(...of, en).text;
+  const say = (...of) => quantityText(...of, en).text;
   assert.deepEqual([say(Math.PI, "angle", 0), say(1, "angle", 1), say(1234.567, "x", 0), say(1.5e7, "y", 2), say(0.1, "distance", 0)], ["180.000°", "1.000", "1234.6", "15000000", "0.100"]);
-  assert.equal(written(Math.PI, "corner", 0, en).value, 180);
+  assert.equal(quantityText(Math.PI, "corner", 0, en).value, 180);
 });
 
 test("any two quantities are plotted against each other, by axes with names and units", () => {

@@ -8,7 +8,7 @@ import { drawAgainstCursor } from "assur/plots/against.js";
 import { across, down, shows } from "assur/plots/panel.js";
 import { paintTag, placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
-import { written } from "assur/plots/units.js";
+import { axisValueText } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/canvas/boxes.js").Box} Box
@@ -23,7 +23,7 @@ const TAG = 17;
 /** Dashes of the second cursor's line. */
 const GHOST = [4, 4];
 /** @type {number[]} dashes of the first cursor's line: none */
-const WHOLE = [];
+const SOLID = [];
 
 export class ChartCursor {
   #surface;
@@ -55,10 +55,10 @@ export class ChartCursor {
     this.redraw();
   }
 
-  /** @param {number | null} phi input of the second cursor, null for none */
-  hover(phi) {
-    if (phi === this.#hovered) return;
-    this.#hovered = phi;
+  /** @param {number | null} input of the second cursor, null for none */
+  hover(input) {
+    if (input === this.#hovered) return;
+    this.#hovered = input;
     this.redraw();
   }
 
@@ -75,8 +75,8 @@ export class ChartCursor {
       if (hovered !== null) drawAgainstCursor(context, against, ghost, snapshot, this.#theme, { tagged: true, input: hovered });
     }
     // While a pointer hovers, only the second cursor has numbers: two sets of numbers would overlap.
-    const phi = snapshot.input;
-    panels.forEach((panel, i) => this.#panel(panel, snapshot, phi, snapshot.plotted, hovered === null ? labels[i] : null));
+    const { input } = snapshot;
+    panels.forEach((panel, i) => this.#panel(panel, snapshot, input, snapshot.plotted, hovered === null ? labels[i] : null));
     if (hovered === null || panels.length === 0) return;
     panels.forEach((panel, i) => this.#panel(panel, snapshot, hovered, ghost, labels[i], GHOST));
     this.#angle(panels[0], hovered, snapshot);
@@ -93,15 +93,15 @@ export class ChartCursor {
   /**
    * Paints the input of the second cursor above the topmost plot.
    * @param {Panel} panel
-   * @param {number} phi
+   * @param {number} input
    * @param {Snapshot} snapshot
    */
-  #angle(panel, phi, { coordinate, words }) {
+  #angle(panel, input, { coordinate, words }) {
     const { context } = this.#surface;
-    const text = coordinate.text(phi, words, 1);
+    const text = coordinate.text(input, words, 1);
     const font = setChartFont(context, this.#theme);
     const width = textWidth(context, font, text) + 10;
-    const middle = across(panel, phi);
+    const middle = across(panel, input);
     const left = Math.min(Math.max(middle - width / 2, panel.left), panel.left + panel.width + 8 - width);
     this.#tag(left, panel.top - this.#tall - 1, width, { y: 0, text, colour: this.#theme.colours.ink, ink: this.#theme.colours.ink });
   }
@@ -109,15 +109,15 @@ export class ChartCursor {
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
-   * @param {number} phi
+   * @param {number} input
    * @param {Float64Array | null} values of the plotted quantities
    * @param {readonly Box[] | null} labels labels that the written values avoid; null to write no values
    * @param {number[]} dashes of the line
    */
-  #panel(panel, snapshot, phi, values, labels, dashes = WHOLE) {
+  #panel(panel, snapshot, input, values, labels, dashes = SOLID) {
     const { context } = this.#surface;
     const { colours, weight } = this.#theme;
-    const x = across(panel, phi);
+    const x = across(panel, input);
     if (!(x >= panel.left - 1 && x <= panel.left + panel.width + 1)) return;
     context.strokeStyle = colours.ink;
     context.lineWidth = weight;
@@ -126,7 +126,7 @@ export class ChartCursor {
     context.lineTo(x, panel.top + panel.height);
     context.setLineDash(dashes);
     context.stroke();
-    context.setLineDash(WHOLE);
+    context.setLineDash(SOLID);
     const dots = this.#dots(panel, snapshot, values);
     if (dots.length === 0) return;
     context.lineWidth = 2 * weight;
@@ -153,7 +153,7 @@ export class ChartCursor {
     for (const [i, { name, role }] of panel.series.entries()) {
       const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : written(panel, value, words.numbers, state.view.playing);
+      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);

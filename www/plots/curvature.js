@@ -7,7 +7,7 @@ import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
 import { readoutOf, subscript } from "assur/core/symbols.js";
 import { row } from "assur/plots/readouts.js";
-import { written } from "assur/plots/values.js";
+import { quantityText } from "assur/plots/values.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
@@ -33,8 +33,8 @@ export class Curvature {
   }
 
   /** @param {import("assur/state/model.js").Snapshot} snapshot */
-  render({ state, summary, frameInput, readouts, words, stale, legible }) {
-    if (stale || !legible) return;
+  render({ state, summary, frameInput, readouts, words, stale, numbersDue }) {
+    if (stale || !numbersDue) return;
     const on = state.view.curvature && "points" in summary;
     if (this.#shown.same(on, readouts, words)) return;
     if (!on) {
@@ -58,9 +58,9 @@ function rows({ circles, inflection }, words) {
     const own = title("R", words.text("curvature.radius", { of }));
     if (!radius || !centre) return [row("accent1", false, own, [why(`out-${point}.radius`, reason, words)])];
     const values = ORDERS.map((order) => cell(`out-${readoutOf(`${point}.radius`, order)}`, radius[order], order, words));
-    const place = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
-    place.append(`(${centre.map((way) => written(way, "x", 0, words).text).join("; ")})`);
-    return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [place])];
+    const centreCell = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
+    centreCell.append(`(${centre.map((way) => quantityText(way, "x", 0, words).text).join("; ")})`);
+    return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [centreCell])];
   });
   if (!inflection) return said;
   const { link, diameter, reason } = inflection;
@@ -77,7 +77,7 @@ function rows({ circles, inflection }, words) {
  */
 function cell(id, value, order, words) {
   const made = make("td", { id });
-  writeReadout(made, written(value, "x", order, words).text, value);
+  writeReadout(made, quantityText(value, "x", order, words).text, value);
   return made;
 }
 

@@ -3,7 +3,7 @@ import { cheapest, covered, isFree } from "assur/canvas/boxes.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { across, down } from "assur/plots/panel.js";
 import { setChartFont } from "assur/plots/text.js";
-import { written } from "assur/plots/units.js";
+import { axisValueText } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/types/web.js").MarkLayout} Mark
@@ -85,7 +85,7 @@ function labelled(marks) {
  */
 function markText({ kind, phi, value }, panel, { coordinate, words }) {
   const angle = coordinate.text(phi, words, 1);
-  return kind === "zero" ? angle : words.text("plots.mark", { value: written(panel, value, words.numbers), angle });
+  return kind === "zero" ? angle : words.text("plots.mark", { value: axisValueText(panel, value, words.numbers), angle });
 }
 
 /**

@@ -4,17 +4,17 @@
 
 /**
  * @param {Panel} panel
- * @param {number} phi the input
+ * @param {number} input
  * @returns {number} CSS pixels from the left
  */
-export function across(panel, phi) {
-  return panel.left + (panel.width * (phi - panel.x0)) / (panel.x1 - panel.x0);
+export function across(panel, input) {
+  return panel.left + (panel.width * (input - panel.x0)) / (panel.x1 - panel.x0);
 }
 
 /**
  * @param {Panel} panel
  * @param {number} left CSS pixels from the left
- * @returns {number} the input at this place, limited to the ends of the axis
+ * @returns {number} the input there, limited to the ends of the axis
  */
 export function angleAt(panel, left) {
   const share = Math.min(Math.max((left - panel.left) / panel.width, 0), 1);

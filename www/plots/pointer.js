@@ -25,7 +25,7 @@ export class ChartPointer {
 
   /**
    * @param {HTMLCanvasElement} canvas
-   * @param {{ hover(phi: number | null): void }} cursor
+   * @param {{ hover(input: number | null): void }} cursor
    * @param {import("assur/app/page.js").Page} page
    */
   constructor(canvas, cursor, page) {
@@ -37,7 +37,7 @@ export class ChartPointer {
     this.#store = page.store;
     this.#drive = (/** @type {number} */ input) => {
       const { coordinate } = model;
-      page.drive(Math.min(coordinate.place(input), coordinate.last(coordinate.of(page.store.get()))));
+      page.drive(Math.min(coordinate.inputShown(input), coordinate.last(coordinate.of(page.store.get()))));
     };
     canvas.addEventListener("pointerdown", (event) => this.#down(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
@@ -100,14 +100,14 @@ export class ChartPointer {
 
   /** @param {PointerEvent} event */
   #driveTo(event) {
-    const phi = this.#angle(event, Infinity);
-    if (phi !== null) this.#drive(phi);
+    const input = this.#angle(event, Infinity);
+    if (input !== null) this.#drive(input);
   }
 
-  /** @param {number | null} phi */
-  #hover(phi) {
-    setData(this.#canvas, "hover", phi === null ? "" : String(this.#model.coordinate.place(phi)));
-    this.#cursor.hover(phi);
+  /** @param {number | null} input */
+  #hover(input) {
+    setData(this.#canvas, "hover", input === null ? "" : String(this.#model.coordinate.inputShown(input)));
+    this.#cursor.hover(input);
   }
 
   /**

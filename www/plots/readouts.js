@@ -4,7 +4,7 @@ import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, isLength, letterOfAngle, readoutOf, subscript, symbol } from "assur/core/symbols.js";
-import { written } from "assur/plots/values.js";
+import { quantityText } from "assur/plots/values.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
@@ -16,7 +16,7 @@ const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
 /** Heads of two further rows for each quantity if mechanism A is shown, too; B is the current mechanism. */
-const BESIDE = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
+const COMPARED_ROWS = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
 
 export class ReadoutTable {
   #table = byId("readouts", HTMLTableElement);
@@ -26,8 +26,8 @@ export class ReadoutTable {
   #inputSymbol = make("b");
   /** @type {{ listed: Listed, order: number, output: HTMLElement }[]} */
   #cells = [];
-  /** @type {{ listed: Listed, order: number, outputs: Record<keyof typeof BESIDE, HTMLElement> }[]} */
-  #beside = [];
+  /** @type {{ listed: Listed, order: number, outputs: Record<keyof typeof COMPARED_ROWS, HTMLElement> }[]} */
+  #comparedRows = [];
   #built = new Seen();
 
   constructor() {
@@ -37,15 +37,15 @@ export class ReadoutTable {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, readouts, coordinate, place, words, stale, legible, withheld, compares } = snapshot;
+    const { state, summary, readouts, coordinate, inputShown, words, stale, numbersDue, withheld, compares } = snapshot;
     setData(this.#table, "faded", String(stale));
-    if (!legible) return;
+    if (!numbersDue) return;
     if (!this.#built.same(summary, words, state.view.axes, compares)) this.#build(snapshot);
-    write(this.#input, coordinate.written(place, words, state.view.playing ? 1 : 3));
-    this.#input.dataset.value = String(place);
+    write(this.#input, coordinate.written(inputShown, words, state.view.playing ? 1 : 3));
+    this.#input.dataset.value = String(inputShown);
     for (const { listed, order, output } of this.#cells) {
       const value = readouts?.[listed.name + STROKES[order]];
-      const said = value === undefined ? null : written(value, listed.what, order, words);
+      const said = value === undefined ? null : quantityText(value, listed.what, order, words);
       if (withheld.has(readoutOf(listed.name, order))) withhold(output, words);
       else writeReadout(output, said?.text ?? NONE, said?.value);
     }
@@ -54,12 +54,12 @@ export class ReadoutTable {
 
   /** @param {Snapshot} snapshot */
   #compare({ readouts, compared, words, withheld }) {
-    for (const { listed, order, outputs } of this.#beside) {
+    for (const { listed, order, outputs } of this.#comparedRows) {
       const name = listed.name + STROKES[order];
       const [a, b] = [compared?.readouts?.[name], readouts?.[name]];
       const difference = differenceOf(listed.what, order, a, b);
       for (const [value, output] of /** @type {const} */ ([[a, outputs.a], [difference, outputs.difference]])) {
-        const said = value === undefined ? null : written(value, listed.what, order, words);
+        const said = value === undefined ? null : quantityText(value, listed.what, order, words);
         // The difference from A would give a withheld value away.
         if (output === outputs.difference && withheld.has(readoutOf(listed.name, order))) withhold(output, words);
         else writeReadout(output, said?.text ?? NONE, said?.value);
@@ -81,7 +81,7 @@ export class ReadoutTable {
       write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));
     });
     this.#cells = [];
-    this.#beside = [];
+    this.#comparedRows = [];
     const rows = listed.flatMap((one) => {
       const bare = one.what === "transmission" || one.what === "pressure";
       const cells = STROKES.map((_, order) => {
@@ -104,14 +104,14 @@ export class ReadoutTable {
    * @returns {HTMLElement[]} the rows of the comparison
    */
   #besideRows(listed, count) {
-    const sorts = /** @type {(keyof typeof BESIDE)[]} */ (Object.keys(BESIDE));
+    const sorts = /** @type {(keyof typeof COMPARED_ROWS)[]} */ (Object.keys(COMPARED_ROWS));
     const outputs = STROKES.map((_, order) => {
       const made = sorts.map((sort) => [sort, make("td", order < count ? { id: `${sort}-${readoutOf(listed.name, order)}` } : {})]);
-      return /** @type {Record<keyof typeof BESIDE, HTMLElement>} */ (Object.fromEntries(made));
+      return /** @type {Record<keyof typeof COMPARED_ROWS, HTMLElement>} */ (Object.fromEntries(made));
     });
-    outputs.slice(0, count).forEach((pair, order) => this.#beside.push({ listed, order, outputs: pair }));
+    outputs.slice(0, count).forEach((pair, order) => this.#comparedRows.push({ listed, order, outputs: pair }));
     return sorts.map((sort) => {
-      const head = make("th", { scope: "row" }, [make("b"), " ", make("span", {}, [BESIDE[sort]])]);
+      const head = make("th", { scope: "row" }, [make("b"), " ", make("span", {}, [COMPARED_ROWS[sort]])]);
       return make("tr", { class: "beside" }, [head, ...outputs.map((pair) => pair[sort])]);
     });
   }

@@ -68,11 +68,11 @@ function aside({ middles, widths, tall, room, labels }, lefts) {
   const down = own.reduce((/** @type {number[]} */ tops, _, i) => [...tops, free(i, i > 0 ? tops[i - 1] + tall + APART : room.top)], []);
   const up = own.reduceRight((/** @type {number[]} */ tops, _, i) => [free(i, room.top, tops.length > 0 ? tops[0] - APART : room.bottom), ...tops], []);
   const ways = [apart(own), apart(own.map((_, i) => free(i))), apart(down), apart(up)];
-  const placed = ways.map((tops) => {
+  const candidates = ways.map((tops) => {
     const boxes = tops.map((top, i) => at(i, top));
     return { boxes, covered: boxes.filter((tag) => !isFree(tag, labels)).length };
   });
-  return cheapest(placed, ({ covered }) => covered);
+  return cheapest(candidates, ({ covered }) => covered);
 }
 
 /**
@@ -84,8 +84,8 @@ function aside({ middles, widths, tall, room, labels }, lefts) {
  */
 function freeTop(tag, labels, first, last) {
   const tall = tag.bottom - tag.top;
-  const beside = labels.flatMap(({ top, bottom }) => [top - tall - 1, bottom + 1]);
-  const near = [tag.top, first, last - tall, ...beside].filter((top) => top >= first && top + tall <= last && Math.abs(top - tag.top) <= FARTHEST * tall);
+  const edges = labels.flatMap(({ top, bottom }) => [top - tall - 1, bottom + 1]);
+  const near = [tag.top, first, last - tall, ...edges].filter((top) => top >= first && top + tall <= last && Math.abs(top - tag.top) <= FARTHEST * tall);
   const free = near.filter((top) => isFree({ ...tag, top, bottom: top + tall }, labels)).sort((a, b) => Math.abs(a - tag.top) - Math.abs(b - tag.top));
   return free[0] ?? tag.top;
 }
@@ -99,7 +99,7 @@ function freeTop(tag, labels, first, last) {
  */
 function spread(tops, first, last, tall) {
   const step = tall + APART;
-  // Tags that would overlap form a block around the mean of their places.
+  // Tags that would overlap form a block around the mean of their positions.
   /** @type {{ sum: number, count: number }[]} */
   const blocks = [];
   tops.forEach((top, i) => {
@@ -111,6 +111,6 @@ function spread(tops, first, last, tall) {
     blocks.push(block);
   });
   const lowest = Math.max(first, last - tall - (tops.length - 1) * step);
-  const places = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
-  return places.map((place, i) => place + i * step);
+  const apart = blocks.flatMap(({ sum, count }) => Array(count).fill(Math.min(Math.max(sum / count, first), lowest)));
+  return apart.map((top, i) => top + i * step);
 }

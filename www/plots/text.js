@@ -3,7 +3,7 @@ import { textWidth } from "assur/canvas/text-width.js";
 import { radians } from "assur/core/angles.js";
 import { subscript, symbol } from "assur/core/symbols.js";
 import { across, down } from "assur/plots/panel.js";
-import { coordinates, inDegrees, power, titled, unitOf, writtenLevel } from "assur/plots/units.js";
+import { axisTitle, coordinates, inDegrees, levelText, power, unitOf } from "assur/plots/units.js";
 
 /**
  * @typedef {import("assur/canvas/boxes.js").Box} Box
@@ -69,7 +69,7 @@ function drawTitle(context, panel, coordinate, words, theme) {
   const fit = named.find((parts) => parts.reduce((width, [text]) => width + textWidth(context, font, text), 0) <= panel.width);
   for (const [text, role] of fit ?? named[NAMINGS.length - 1]) write(text, role ? theme.inks[role] : theme.colours.ink);
   font = setChartFont(context, theme, 12);
-  const title = titled(panel, coordinate, words);
+  const title = axisTitle(panel, coordinate, words);
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
   // If there is no room for the whole title, only the unit is written.
   const fits = right + textWidth(context, font, `  ${title}${proof}`) <= left + panel.width;
@@ -95,7 +95,7 @@ function names(panel, words, naming) {
   const several = new Set(points).size > 1;
   if (series.length > MAX_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
   const symbols = series.map((one, i) => {
-    const value = one.level === null || naming === "symbol" ? "" : writtenLevel(panel, one.level, words.numbers);
+    const value = one.level === null || naming === "symbol" ? "" : levelText(panel, one.level, words.numbers);
     const said = value === "" ? "" : naming === "value" ? ` = ${value}` : ` ${words.text("plots.throughout", { value })}`;
     return /** @type {[string, string]} */ ([symbol(one, order, physical, words) + (several ? ` ${points[i]}` : "") + said, one.role]);
   });

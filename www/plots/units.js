@@ -39,7 +39,7 @@ export function inDegrees({ kind, order }) {
  * @param {import("assur/core/numbers.js").Numbers} numbers
  * @param {boolean} [moving] whether the value changes with every frame, and is therefore written with fewer digits
  */
-export function written(panel, value, numbers, moving = false) {
+export function axisValueText(panel, value, numbers, moving = false) {
   if (inDegrees(panel)) return `${numbers.fixed(degrees(value), moving ? 0 : 1)}°`;
   const unit = 10 ** power(panel);
   const decimals = (moving ? 2 : 4) - Math.ceil(Math.log10((panel.y1 - panel.y0) / unit));
@@ -52,7 +52,7 @@ export function written(panel, value, numbers, moving = false) {
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers
  */
-export function writtenLevel(panel, value, numbers) {
+export function levelText(panel, value, numbers) {
   return inDegrees(panel) ? `${numbers.upTo(degrees(value), 1)}°` : numbers.short(value / 10 ** power(panel));
 }
 
@@ -76,7 +76,7 @@ export function unitOf(panel, { moves }, words) {
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} name of the panel's quantity, with its unit
  */
-export function titled(panel, coordinate, words) {
+export function axisTitle(panel, coordinate, words) {
   const { kind, order, physical } = panel;
   if (kind === "length" && order === 0 && !coordinates(panel)) return [words.text("readouts.distance"), unitOf(panel, coordinate, words)].filter(Boolean).join(", ");
   const by = order === 0 ? "value" : physical ? "by_time" : "analogue";

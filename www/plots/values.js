@@ -13,7 +13,7 @@ const HUGE = 1e6;
  * @param {import("assur/core/words.js").Words} words
  * @returns {{ value: number, text: string }} the value, with angles in degrees, and its text
  */
-export function written(value, what, order, { numbers }) {
+export function quantityText(value, what, order, { numbers }) {
   const angle = order === 0 && !isLength(what);
   const shown = angle ? degrees(value) : value;
   const size = Math.abs(shown);

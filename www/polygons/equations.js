@@ -25,7 +25,7 @@ const LEGS = Object.freeze({
  * @param {Words} words
  * @returns {readonly HTMLElement[]}
  */
-export function told(step, done, units, words) {
+export function describeStep(step, done, units, words) {
   const names = step.found.map(({ name }) => name).join(", ");
   if (step.kind === "pole") return [make("p", {}, [words.text("polygons.pole", { n: names })])];
   const values = step.found.flatMap((found) => [0, 1].map((order) => {

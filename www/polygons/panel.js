@@ -8,8 +8,8 @@ import { Transform } from "assur/canvas/transform.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { subscript } from "assur/core/symbols.js";
-import { titled, unitOf } from "assur/plots/units.js";
-import { amount, told } from "assur/polygons/equations.js";
+import { axisTitle, unitOf } from "assur/plots/units.js";
+import { amount, describeStep } from "assur/polygons/equations.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
@@ -75,7 +75,7 @@ export class Polygons {
     this.#none.hidden = this.#here !== null;
     this.#drawn.hidden = this.#here === null;
     if (!this.#here) return;
-    if (snapshot.legible) this.#tell(this.#here, snapshot);
+    if (snapshot.numbersDue) this.#tell(this.#here, snapshot);
     this.#sheets.forEach((_, order) => this.#paint(order));
   }
 
@@ -103,7 +103,7 @@ export class Polygons {
     const panels = [1, 2].map((order) => /** @type {import("assur/types/web.js").PanelLayout} */ ({ kind: "length", order, physical, y0: -1, y1: 1 }));
     const [velocity, acceleration] = panels.map((panel) => unitOf(panel, coordinate, words));
     this.#sheets.forEach(({ canvas, title, scale }, order) => {
-      const said = titled(panels[order], coordinate, words);
+      const said = axisTitle(panels[order], coordinate, words);
       write(title, said);
       const { bar, smaller } = pictures[order];
       const shown = `├─┤ ${amount(bar, order === 0 ? velocity : acceleration, words)}`;
@@ -111,7 +111,7 @@ export class Polygons {
       canvas.setAttribute("aria-label", `${words.text("polygons.heading")}: ${said}`);
     });
     const items = steps.slice(0, at).map((step, k) => {
-      const item = make("li", {}, told(step, step.found.length > 0, [velocity, acceleration], words));
+      const item = make("li", {}, describeStep(step, step.found.length > 0, [velocity, acceleration], words));
       if (k + 1 === at && at < steps.length) item.setAttribute("aria-current", "step");
       return item;
     });

@@ -10,7 +10,7 @@ import { paintSquares } from "assur/stage/paper.js";
 /**
  * @typedef {import("assur/canvas/display-list.js").Layer} Layer
  * @typedef {Pick<import("assur/state/model.js").Snapshot, "scene" | "frame" | "frameInput" | "coordinate" | "readouts" | "revision" | "words">
- *   & { readonly compared?: import("assur/state/compared.js").Beside | null, readonly withheld?: ReadonlySet<string>, readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
+ *   & { readonly compared?: import("assur/state/compared.js").Comparison | null, readonly withheld?: ReadonlySet<string>, readonly summary?: object, readonly state?: { readonly view: { readonly playing: boolean } } }} Snapshot
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {import("assur/canvas/theme.js").Theme} Theme
  * @typedef {import("assur/canvas/transform.js").Transform} Transform
@@ -70,11 +70,11 @@ export class Figure {
     const { poses, end } = readPoses(frame);
     this.#poses = poses;
     this.#changing = this.#read(frame, end);
-    this.#beside(snapshot);
+    this.#takeComparison(snapshot);
   }
 
   /** @param {Snapshot} snapshot */
-  #beside({ compared, ...rest }) {
+  #takeComparison({ compared, ...rest }) {
     if (!compared) {
       this.#compared = null;
       return;

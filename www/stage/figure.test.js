@@ -4,7 +4,7 @@ import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { Transform } from "assur/canvas/transform.js";
 import { Figure } from "assur/stage/figure.js";
-import { withFurther, withView } from "assur/state/state.js";
+import { withExtras, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { wordsOf } from "assur/tests/words.js";
 
@@ -123,9 +123,9 @@ test("what is compared is drawn in one colour, without labels", () => {
   const { paint, page, theme } = begin("mixer-a", { phi_deg: 75 });
   const alone = paint();
   const { kind, document } = page.store.get();
-  const beside = paint((state) => withFurther(state, { compared: { kind, document: { ...document, l2: 0.9 } } }));
-  assert.deepEqual(texts(beside), texts(alone));
-  assert.deepEqual([...beside.shapes].filter((colour) => !alone.shapes.has(colour)), [theme.colours.secondary].filter((colour) => !alone.shapes.has(colour)));
+  const both = paint((state) => withExtras(state, { compared: { kind, document: { ...document, l2: 0.9 } } }));
+  assert.deepEqual(texts(both), texts(alone));
+  assert.deepEqual([...both.shapes].filter((colour) => !alone.shapes.has(colour)), [theme.colours.secondary].filter((colour) => !alone.shapes.has(colour)));
 });
 
 test("names are names, whatever they look like", () => {

@@ -113,11 +113,11 @@ function paintScaleBar(context, height, length, text, theme, ratio) {
  * Aligns the edges of a horizontal or vertical line with the pixels, so that a thin line is not pale and twice as wide.
  * @param {number} width
  * @param {number} ratio device pixels per CSS pixel
- * @returns {{ width: number, at(place: number): number }} `width`: the line's width; `at`: the aligned position nearest to a place
+ * @returns {{ width: number, at(coordinate: number): number }} `width`: the line's width; `at`: the coordinate moved into line with the pixels
  */
 function sharp(width, ratio) {
-  const whole = Math.max(Math.round(width * ratio), 1) / ratio;
-  return { width: whole, at: (place) => Math.round((place - whole / 2) * ratio) / ratio + whole / 2 };
+  const aligned = Math.max(Math.round(width * ratio), 1) / ratio;
+  return { width: aligned, at: (coordinate) => Math.round((coordinate - aligned / 2) * ratio) / ratio + aligned / 2 };
 }
 
 /**

@@ -7,12 +7,12 @@ import { TRACERS, withView } from "assur/state/state.js";
 /**
  * @typedef {import("assur/stage/view.js").Joint} Joint
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {{ x: number, y: number }} Place on the canvas, in pixels
- * @typedef {{ to(at: Place, free: boolean): void, end(): void }} Drag
+ * @typedef {{ x: number, y: number }} Pixel point of the canvas, in CSS pixels
+ * @typedef {{ to(at: Pixel, free: boolean): void, end(): void }} Drag
  * @typedef {{
- *   hover(at: Place, event: PointerEvent): void, leave(): void, press(at: Place, event: PointerEvent): void,
- *   grab(at: Place, event: PointerEvent): Drag | null,
- * }} Hand tool that receives the pointer's actions instead of the joints
+ *   hover(at: Pixel, event: PointerEvent): void, leave(): void, press(at: Pixel, event: PointerEvent): void,
+ *   grab(at: Pixel, event: PointerEvent): Drag | null,
+ * }} PointerTool tool that receives the pointer's actions instead of the joints
  */
 
 /** Greatest distance at which a pointer takes hold of a joint, in pixels: for a mouse or pen, and for a finger. */
@@ -40,18 +40,18 @@ export class MechanismPointer {
   #engine;
   #store;
   #model;
-  /** @type {Map<number, Place>} pressed pointers */
+  /** @type {Map<number, Pixel>} pressed pointers */
   #pointers = new Map();
-  /** @type {{ name: Joint["name"], pressed: boolean, dx: number, dy: number, from: Place } | null} the joint that is held. `pressed`: whether the
-   * joint has an action for a press, and is not dragged yet; `dx`, `dy`: from the pointer to the joint; `from`: place of the press */
+  /** @type {{ name: Joint["name"], pressed: boolean, dx: number, dy: number, from: Pixel } | null} the joint that is held. `pressed`: whether the
+   * joint has an action for a press, and is not dragged yet; `dx`, `dy`: from the pointer to the joint; `from`: pixel of the press */
   #taken = null;
   /** Whether the next press places a traced point. */
   #tracing = false;
   #draw = byId("draw", HTMLButtonElement);
   #trace = byId("trace", HTMLButtonElement);
-  /** @type {Hand | null} the tool that receives the pointer's actions instead of the joints */
-  #hand = null;
-  /** @type {{ from: Place, still: boolean, drag: Drag | null } | null} the current press or drag of the tool */
+  /** @type {PointerTool | null} the tool that receives the pointer's actions instead of the joints */
+  #tool = null;
+  /** @type {{ from: Pixel, still: boolean, drag: Drag | null } | null} the current press or drag of the tool */
   #work = null;
 
   /**
@@ -72,9 +72,9 @@ export class MechanismPointer {
     canvas.addEventListener("pointercancel", (event) => this.#up(event));
     canvas.addEventListener("pointerleave", () => {
       this.#show(this.#taken?.name ?? "");
-      this.#hand?.leave();
+      this.#tool?.leave();
     });
-    canvas.addEventListener("dblclick", () => this.#hand ?? view.fit());
+    canvas.addEventListener("dblclick", () => this.#tool ?? view.fit());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     // While the drawing is not zoomed, one finger scrolls the page unless it starts at a joint. Two fingers zoom.
     canvas.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
@@ -94,11 +94,11 @@ export class MechanismPointer {
     setData(this.#canvas, "tracing", String(this.#tracing));
   }
 
-  /** @param {Hand | null} hand tool that receives the pointer's actions; null for the joints */
-  lend(hand) {
-    this.#hand = hand;
+  /** @param {PointerTool | null} tool that receives the pointer's actions; null for the joints */
+  setTool(tool) {
+    this.#tool = tool;
     this.#work = null;
-    setData(this.#canvas, "lent", String(hand !== null));
+    setData(this.#canvas, "lent", String(tool !== null));
   }
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */
@@ -114,7 +114,7 @@ export class MechanismPointer {
   /** @param {PointerEvent} event */
   #down(event) {
     if (event.button !== 0) return;
-    const at = this.#place(event);
+    const at = this.#pixelOf(event);
     this.#pointers.set(event.pointerId, at);
     this.#canvas.setPointerCapture(event.pointerId);
     if (this.#pointers.size > 1) {
@@ -122,8 +122,8 @@ export class MechanismPointer {
       this.#work = null;
       return;
     }
-    if (this.#hand) {
-      this.#work = { from: at, still: true, drag: this.#hand.grab(at, event) };
+    if (this.#tool) {
+      this.#work = { from: at, still: true, drag: this.#tool.grab(at, event) };
       return;
     }
     const joint = this.#tracing ? this.#put(at) : this.#near(at, event.pointerType);
@@ -141,10 +141,10 @@ export class MechanismPointer {
 
   /** @param {PointerEvent} event */
   #move(event) {
-    const at = this.#place(event);
+    const at = this.#pixelOf(event);
     const from = this.#pointers.get(event.pointerId);
-    if (!from && this.#hand) {
-      this.#hand.hover(at, event);
+    if (!from && this.#tool) {
+      this.#tool.hover(at, event);
       return;
     }
     if (!from) {
@@ -168,9 +168,9 @@ export class MechanismPointer {
     if (!this.#pointers.delete(event.pointerId)) return;
     const work = this.#work;
     this.#work = null;
-    if (work && this.#hand) {
+    if (work && this.#tool) {
       if (!work.still) work.drag?.end();
-      else if (event.type === "pointerup") this.#hand.press(this.#place(event), event);
+      else if (event.type === "pointerup") this.#tool.press(this.#pixelOf(event), event);
       setData(this.#canvas, "hand", "");
       return;
     }
@@ -180,9 +180,9 @@ export class MechanismPointer {
   }
 
   /**
-   * @param {{ from: Place, still: boolean, drag: Drag | null }} work
-   * @param {Place} from
-   * @param {Place} at
+   * @param {{ from: Pixel, still: boolean, drag: Drag | null }} work
+   * @param {Pixel} from
+   * @param {Pixel} at
    * @param {boolean} free
    */
   #pull(work, from, at, free) {
@@ -207,8 +207,8 @@ export class MechanismPointer {
   }
 
   /**
-   * Places a traced point on the link nearest to a place.
-   * @param {Place} at
+   * Places a traced point on the link nearest to a pixel.
+   * @param {Pixel} at
    * @returns {Joint | null} the point, ready to be dragged; null if the engine or the page refuses it
    */
   #put(at) {
@@ -223,20 +223,20 @@ export class MechanismPointer {
 
   /**
    * @param {{ name: Joint["name"], dx: number, dy: number }} taken
-   * @param {Place} at
+   * @param {Pixel} at
    */
   #drag({ name, dx, dy }, at) {
     const [x, y] = this.#view.view.toModel(at.x + dx, at.y + dy);
     const change = attempt(() => this.#engine.simulator.drag(name, inputNow(this.#page), x, y)).value;
     if (!change) return;
     if (change.document || change.input === undefined) take(change, this.#page);
-    else this.#page.drive(this.#model.coordinate.place(change.input));
+    else this.#page.drive(this.#model.coordinate.inputShown(change.input));
   }
 
   /**
    * @param {string} pointer
-   * @param {Place} from
-   * @param {Place} at
+   * @param {Pixel} from
+   * @param {Pixel} at
    */
   #pan(pointer, from, at) {
     if (pointer === "touch" && !this.#view.zoomed) return;
@@ -247,8 +247,8 @@ export class MechanismPointer {
   /**
    * Zooms and pans with two fingers, so that the drawing follows them.
    * @param {number} moving id of the finger that has moved
-   * @param {Place} from
-   * @param {Place} at
+   * @param {Pixel} from
+   * @param {Pixel} at
    */
   #pinch(moving, from, at) {
     const other = [...this.#pointers].find(([id]) => id !== moving)?.[1];
@@ -263,7 +263,7 @@ export class MechanismPointer {
   /** @param {WheelEvent} event */
   #wheel(event) {
     event.preventDefault();
-    const at = this.#place(event);
+    const at = this.#pixelOf(event);
     const pixels = event.deltaY * WHEEL_UNIT[event.deltaMode] * (event.ctrlKey ? PINCHED : 1);
     this.#view.zoom(Math.exp(-WHEEL * pixels), at.x, at.y);
   }
@@ -271,21 +271,21 @@ export class MechanismPointer {
   /** @param {TouchEvent} event */
   #touch(event) {
     const [touch] = event.touches;
-    const ours = event.touches.length > 1 || this.#hand || this.#view.zoomed || this.#tracing || this.#near(this.#place(touch), "touch");
+    const ours = event.touches.length > 1 || this.#tool || this.#view.zoomed || this.#tracing || this.#near(this.#pixelOf(touch), "touch");
     if (ours && event.cancelable) event.preventDefault();
   }
 
   /**
    * @param {{ clientX: number, clientY: number }} event
-   * @returns {Place}
+   * @returns {Pixel}
    */
-  #place({ clientX, clientY }) {
+  #pixelOf({ clientX, clientY }) {
     const { left, top } = this.#canvas.getBoundingClientRect();
     return { x: clientX - left, y: clientY - top };
   }
 
   /**
-   * @param {Place} at
+   * @param {Pixel} at
    * @param {string} pointer
    * @returns {Joint | null} the joint nearest to a pointer within its reach
    */

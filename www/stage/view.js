@@ -99,12 +99,12 @@ export class MechanismView {
   joints() {
     const snapshot = this.#snapshot;
     if (!snapshot) return [];
-    const { summary: { handles }, handles: places } = snapshot;
-    return handles.map((handle, i) => ({ ...handle, x: places[2 * i], y: places[2 * i + 1] }));
+    const { summary: { handles }, handles: points } = snapshot;
+    return handles.map((handle, i) => ({ ...handle, x: points[2 * i], y: points[2 * i + 1] }));
   }
 
   /**
-   * @param {{ x: number, y: number }} place on the canvas, in pixels
+   * @param {{ x: number, y: number }} pixel of the canvas
    * @param {number} reach pixels
    * @param {string} [but] name of a joint to leave out
    * @returns {Joint | null} the nearest joint within reach
@@ -154,7 +154,7 @@ export class MechanismView {
    */
   sheet(least = 0) {
     const { visible } = this.#surface;
-    const screen = visible ? this.view : Transform.fit(this.#whole, ...UNSEEN, this.#margin);
+    const screen = visible ? this.view : Transform.fit(this.#fullBounds, ...UNSEEN, this.#margin);
     const [left, bottom, right, top] = visible && this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
     const aside = Math.ceil(Math.max(0, least - (right - left)) / 2);
     const size = { width: right - left + 2 * aside, height: bottom - top };
@@ -256,7 +256,7 @@ export class MechanismView {
     const { width, height, visible } = this.#surface;
     if (!visible) return;
     this.#held = null;
-    this.#bounds ??= this.#whole;
+    this.#bounds ??= this.#fullBounds;
     this.#zoom = Zoom.between(this.#fit(), view, this.#bounds, width, height);
     this.#shown();
   }
@@ -278,11 +278,11 @@ export class MechanismView {
   /** @returns {Transform} */
   #fit() {
     const { width, height } = this.#surface;
-    return Transform.fit(this.#bounds ?? this.#whole, width, height - this.#inset, this.#margin).moved(0, this.#inset);
+    return Transform.fit(this.#bounds ?? this.#fullBounds, width, height - this.#inset, this.#margin).moved(0, this.#inset);
   }
 
   /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; a mechanism without joints counts only if nothing is painted */
-  get #whole() {
+  get #fullBounds() {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);
     const all = under.length > 0 && handles.length === 0 ? under : [bounds, ...under];

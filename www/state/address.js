@@ -1,7 +1,7 @@
 // The address bar: the address contains the state, and the browser's Back returns to the previous mechanism.
 import { MAX_LENGTH, toAddress } from "assur/state/codec.js";
-import { guarded } from "assur/state/storage.js";
-import { FURTHER, usualView } from "assur/state/state.js";
+import { orNull } from "assur/state/storage.js";
+import { EXTRAS, usualView } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
@@ -41,7 +41,7 @@ export class Address {
    * @returns {boolean} true if the state contains more than an unchanged mechanism of the catalogue
    */
   isOwn(state) {
-    return !this.#presetOf(state) || FURTHER.some((name) => state[name]);
+    return !this.#presetOf(state) || EXTRAS.some((name) => state[name]);
   }
 
   /** @param {State} state */
@@ -52,7 +52,7 @@ export class Address {
 
   /** @param {State} state */
   show(state) {
-    guarded(() => history.replaceState(null, "", this.#shown(state)));
+    orNull(() => history.replaceState(null, "", this.#shown(state)));
   }
 
   /**
@@ -63,7 +63,7 @@ export class Address {
   enter(before, now) {
     if (before.kind === now.kind && before.document === now.document) return;
     this.show(before);
-    guarded(() => history.pushState(null, "", this.#shown(now)));
+    orNull(() => history.pushState(null, "", this.#shown(now)));
   }
 
   /**

@@ -5,7 +5,7 @@ import { happen } from "assur/tests/window.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 import { persist, takeUpAddress } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
-import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withView } from "assur/state/state.js";
 
 const engine = newEngine();
 const HOME = "https://assur.test/?embed";
@@ -63,7 +63,7 @@ test("another mechanism is an entry of its own, the same one is not", () => {
 
 test("a lesson that is too long for an address leaves none", () => {
   const address = new Address(engine, "en");
-  const long = withFurther(stateOf(engine, "jansen"), { lesson: { title: "x".repeat(500_000), steps: [] } });
+  const long = withExtras(stateOf(engine, "jansen"), { lesson: { title: "x".repeat(500_000), steps: [] } });
   assert.equal(address.holds(long), false);
   assert.ok(address.holds(stateOf(engine, "jansen")));
   address.show(long);
@@ -82,10 +82,10 @@ test("an address that the browser does not take is no fault", (t) => {
  * A store whose changes are kept.
  * @param {import("node:test").TestContext} t
  */
-function keeping(t, { sound = () => true, ours = true, unkept = () => {} } = {}) {
+function keeping(t, { accepts = () => true, ours = true, unkept = () => {} } = {}) {
   t.mock.timers.enable({ apis: ["setTimeout"] });
   const store = new Store(stateOf(engine, "jansen"));
-  persist(store, new Address(engine, "en"), sound, ours, unkept);
+  persist(store, new Address(engine, "en"), accepts, ours, unkept);
   return store;
 }
 
@@ -113,7 +113,7 @@ test("a turning crank alone is written when the page is left", (t) => {
 });
 
 test("what the engine does not take is not kept: what was there stays", (t) => {
-  const store = keeping(t, { sound: () => false });
+  const store = keeping(t, { accepts: () => false });
   store.update((state) => withView(state, { traces: false }));
   t.mock.timers.tick(400);
   assert.deepEqual([kept.size, location.href], [0, `${HOME}#old`]);
@@ -134,19 +134,19 @@ test("an image is kept by itself, once, and one that does not fit is said", (t) 
   const picture = (image) => ({ image, at: [0, 0], width: 1, turn_deg: 0, opacity: 1 });
   const image = `data:${"x".repeat(5000)}`;
   for (const change of [{ picture: picture(image) }, { picture: { ...picture(image), opacity: 0.5 } }]) {
-    store.update((state) => withFurther(state, change));
+    store.update((state) => withExtras(state, change));
     t.mock.timers.tick(400);
   }
   assert.deepEqual([images(), kept.get("assur.image"), unkept], [1, image, 0]);
   assert.ok(kept.get("assur.state").length < 5000 + 4000 && !kept.get("assur.state").includes(image));
-  store.update((state) => withFurther(state, { picture: undefined }));
+  store.update((state) => withExtras(state, { picture: undefined }));
   t.mock.timers.tick(400);
   assert.equal(kept.has("assur.image"), false);
   set.mock.mockImplementation((key, text) => {
     if (key === "assur.image") throw new DOMException("", "QuotaExceededError");
     kept.set(key, text);
   });
-  store.update((state) => withFurther(state, { picture: picture(image) }));
+  store.update((state) => withExtras(state, { picture: picture(image) }));
   t.mock.timers.tick(400);
   assert.equal(unkept, 1);
 });

@@ -2,8 +2,8 @@
 import { attempt } from "assur/core/problem.js";
 
 /**
- * @typedef {{ number: number, count: number, whole: boolean } | null} Assembled the moving assembly at the drawn
- * input; null if unknown. `number`: its number, from 1. `count`: number of assemblies known there. `whole`: whether
+ * @typedef {{ number: number, count: number, complete: boolean } | null} Assembled the moving assembly at the drawn
+ * input; null if unknown. `number`: its number, from 1. `count`: number of assemblies known there. `complete`: whether
  * these are all
  * @typedef {Pick<import("assur/pkg/assur_web.js").Simulator, "assemblies">} Simulator
  */
@@ -26,7 +26,7 @@ export function withAssembled(summary, simulator) {
   return Object.defineProperty(summary, "assembled", { get: () => {
     if (found === undefined && last.get(simulator) === summary) {
       const here = attempt(() => simulator.assemblies(home)).value;
-      found = here ? { number: (here.shown ?? 0) + 1, count: here.all.length, whole: here.whole } : null;
+      found = here ? { number: (here.shown ?? 0) + 1, count: here.all.length, complete: here.whole } : null;
     }
     return found ?? null;
   } });

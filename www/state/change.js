@@ -1,6 +1,6 @@
 // Changes made by the engine and their transfer to the state: fields of the document, and the input.
 import { attempt } from "assur/core/problem.js";
-import { PARTS, edited, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { PARTS, edited, withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
@@ -24,7 +24,7 @@ export function take({ document, input }, { store, model, drafts }) {
   if (input === undefined) return true;
   // The model takes the new document first, because the range of the input may have changed.
   model.follow(store.get());
-  store.update((state) => model.coordinate.put(state, model.coordinate.place(input)));
+  store.update((state) => model.coordinate.put(state, model.coordinate.inputShown(input)));
   return true;
 }
 
@@ -78,7 +78,7 @@ export function inputNow({ store, model }) {
 export function choose(kind, document, edits, look, page) {
   const { store, model, history, mechanism } = page;
   history.step(() => {
-    store.update((state) => withView(withFurther(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
+    store.update((state) => withView(withExtras(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
     mechanism.fit();
     for (const { asked, field } of edits) {
       model.follow(store.get());
@@ -87,7 +87,7 @@ export function choose(kind, document, edits, look, page) {
     // The previous input may lie outside the range of the new driver.
     model.follow(store.get());
     const { coordinate, home } = model;
-    if (!model.placed) store.update((state) => coordinate.put(state, coordinate.place(home)));
-    store.update((state) => withView(state, look(model.sound ? model.summary : null)));
+    if (!model.hasPose) store.update((state) => coordinate.put(state, coordinate.inputShown(home)));
+    store.update((state) => withView(state, look(model.accepted ? model.summary : null)));
   });
 }

@@ -15,7 +15,7 @@ const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({
  * Parts of a state, other than kind, document and view, that an address can hold. In version 1, the key `lesson` held
  * the kind instead.
  */
-const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
+const EXTRAS = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
 /** Limits of a state. `MAX_LENGTH`: characters without an image, which the engine checks. `MAX_DEPTH`: depth of nesting. */
@@ -37,11 +37,11 @@ function unreadable() {
  */
 export function toAddress(state, preset) {
   const { kind, document, view } = state;
-  const further = FURTHER.filter((name) => state[name] !== undefined).map((name) => `${name}=${encode(state[name])}`);
-  if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view), ...further].join("&");
+  const extras = EXTRAS.filter((name) => state[name] !== undefined).map((name) => `${name}=${encode(state[name])}`);
+  if (!preset) return [VERSION, `kind=${encode(kind)}`, ...pairs("document", document), ...pairs("view", view), ...extras].join("&");
   const usual = /** @type {Record<string, unknown>} */ (preset.usual);
   const unusual = Object.entries(view).filter(([key, value]) => !contains(usual, { [key]: value }) && !(view.playing && PLACES.includes(key)));
-  return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual)), ...further].join("&");
+  return [encodeURIComponent(preset.id), ...pairs("view", Object.fromEntries(unusual)), ...extras].join("&");
 }
 
 /**
@@ -62,8 +62,8 @@ export function fromAddress(hash, preset) {
   if (hash.length > MAX_LENGTH) throw unreadable();
   const [version, ...pairs] = hash.split("&");
   const kind = Object.hasOwn(KINDS, version) ? KINDS[version] : undefined;
-  const whole = kind === undefined ? preset(plain(version)) : undefined;
-  if (kind === undefined && !whole) throw unreadable();
+  const named = kind === undefined ? preset(plain(version)) : undefined;
+  if (kind === undefined && !named) throw unreadable();
   const entries = pairs.map((pair) => {
     const at = pair.indexOf("=");
     return at < 0 ? [plain(pair), null] : [plain(pair.slice(0, at)), decode(pair.slice(at + 1))];
@@ -75,12 +75,12 @@ export function fromAddress(hash, preset) {
   };
   const own = (/** @type {readonly (string | undefined)[]} */ names) => Object.fromEntries(entries.filter(([key]) => names.includes(key)));
   const [document, view] = [part(PREFIXES.document), part(PREFIXES.view)];
-  if (whole) {
+  if (named) {
     // An address that names a preset may not have fields of a document: they would be ignored silently.
     if (Object.keys(document).length > 0) throw unreadable();
-    return shallow({ format: Number(VERSION), ...whole, view: { ...whole.view, ...view }, ...own(FURTHER) }, unreadable());
+    return shallow({ format: Number(VERSION), ...named, view: { ...named.view, ...view }, ...own(EXTRAS) }, unreadable());
   }
-  return shallow({ format: Number(version), ...own(FURTHER), ...own([kind]), document, view }, unreadable());
+  return shallow({ format: Number(version), ...own(EXTRAS), ...own([kind]), document, view }, unreadable());
 }
 
 /**

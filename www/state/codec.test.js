@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { MAX_LENGTH, fromAddress, fromFile, toAddress, toFile } from "assur/state/codec.js";
-import { initialState, usualView, withFurther, withView } from "assur/state/state.js";
+import { initialState, usualView, withExtras, withView } from "assur/state/state.js";
 import { Refusal } from "assur/core/problem.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 import { often } from "assur/tests/random.js";
@@ -56,7 +56,7 @@ test("any JSON in a document and a view comes back from an address", () => {
 
 test("a file holds the whole state, as text that people can read", () => {
   for (const { id } of engine.catalogue.presets) {
-    const state = withFurther(stateOf(engine, id), { lesson: { title: "T", steps: [{ title: "1", text: "x" }] } });
+    const state = withExtras(stateOf(engine, id), { lesson: { title: "T", steps: [{ title: "1", text: "x" }] } });
     const text = toFile(state);
     assert.deepEqual(fromFile(text), JSON.parse(JSON.stringify(state)));
     assert.ok(text.startsWith("{\n  \"format\": 2,\n") && text.endsWith("}\n"));
@@ -67,7 +67,7 @@ test("a file holds the whole state, as text that people can read", () => {
 test("a lesson and what is compared travel in an address, a picture does not", () => {
   const compared = { kind: "linkage", document: engine.catalogue.preset("jansen").document };
   const lesson = { title: "Legs", steps: [{ title: "", text: "a & b" }] };
-  const state = withFurther(stateOf(engine, "mixer-a"), { lesson, compared, picture: { image: "data:," } });
+  const state = withExtras(stateOf(engine, "mixer-a"), { lesson, compared, picture: { image: "data:," } });
   for (const address of [toAddress(state, null), toAddress(state, { id: "mixer-a", usual })]) {
     const found = fromAddress(through(address), preset);
     assert.deepEqual([found.lesson, found.compared, found.picture], [lesson, JSON.parse(JSON.stringify(compared)), undefined]);

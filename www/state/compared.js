@@ -8,7 +8,7 @@ import { PARTS, initialState, withView } from "assur/state/state.js";
  * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
- * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float32Array, readouts: import("assur/state/readouts.js").Readouts | null }} Beside
+ * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float32Array, readouts: import("assur/state/readouts.js").Readouts | null }} Comparison
  * mechanism A at an input, with the same data as the drawing of B; `revision`: number of mechanisms that have been A so far
  */
 
@@ -39,7 +39,7 @@ export class Compared {
   #seen = new Seen();
   /** @type {Summary | null} */
   #summary = null;
-  /** @type {Omit<Beside, "frame" | "readouts">} */
+  /** @type {Omit<Comparison, "frame" | "readouts">} */
   #drawn = { scene: new Float32Array(), labels: [], revision: 0 };
   /** @type {readonly string[]} */
   #names = [];
@@ -74,7 +74,7 @@ export class Compared {
 
   /**
    * @param {number} input
-   * @returns {Beside | null} null if A is not shown or cannot be assembled
+   * @returns {Comparison | null} null if A is not shown or cannot be assembled
    */
   at(input) {
     const simulator = this.shown;

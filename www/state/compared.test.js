@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Compared } from "assur/state/compared.js";
-import { initialState, withFurther } from "assur/state/state.js";
+import { initialState, withExtras } from "assur/state/state.js";
 
 /** A simulator whose call trapped: it is borrowed for ever, and cannot be freed. */
 class Trapped {
@@ -18,7 +18,7 @@ class Trapped {
 test("a trap of A leaves B as it is", (t) => {
   const said = t.mock.method(console, "error", () => {});
   const compared = new Compared(() => new Trapped());
-  const state = withFurther(initialState("mixer", { l1: 0 }, {}), { compared: { kind: "mixer", document: { l1: 1 } } });
+  const state = withExtras(initialState("mixer", { l1: 0 }, {}), { compared: { kind: "mixer", document: { l1: 1 } } });
   const summary = { bounds: [0, 0, 1, 1], moves: "angle" };
   assert.equal(compared.follow(state, summary), summary);
   assert.equal(compared.shown, null);

@@ -11,9 +11,9 @@ import { withView } from "assur/state/state.js";
 
 /** Kinds of input. `rates`: symbols of velocity and acceleration. The link's number follows all symbols but s and t. */
 const SORTS = Object.freeze({
-  angle: Object.freeze({ field: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
-  length: Object.freeze({ field: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
-  time: Object.freeze({ field: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
+  angle: Object.freeze({ viewKey: /** @type {const} */ ("phi_deg"), symbol: "φ", rates: Object.freeze(["ω", "ε"]) }),
+  length: Object.freeze({ viewKey: /** @type {const} */ ("s"), symbol: "s", rates: Object.freeze(["v", "a"]) }),
+  time: Object.freeze({ viewKey: /** @type {const} */ ("t"), symbol: "t", rates: Object.freeze(["", ""]) }),
 });
 
 /** Time of a turn of a crank, or of a slide's travel forth and back, at speed 1, in seconds. */
@@ -26,10 +26,10 @@ const STEPS = 100;
 const MAX_TIME = 1e6;
 
 /** Fraction of a span of time that is too small to see. */
-const HAIR = 1e-9;
+const INVISIBLE_SHARE = 1e-9;
 
 /** Fields of the view that hold an input of any kind. */
-export const FIELDS = Object.freeze(Object.values(SORTS).map(({ field }) => field));
+export const VIEW_KEYS = Object.freeze(Object.values(SORTS).map(({ viewKey }) => viewKey));
 
 export class Coordinate {
   #turns;
@@ -51,8 +51,8 @@ export class Coordinate {
   }
 
   /** Field of the view that holds the input. */
-  get field() {
-    return this.#sort.field;
+  get viewKey() {
+    return this.#sort.viewKey;
   }
 
   get symbol() {
@@ -66,22 +66,22 @@ export class Coordinate {
 
   /**
    * Returns the ends of the input's axis, in the reader's unit. Unlimited time is divided into spans with an axis each.
-   * @param {number} place input in the reader's unit
+   * @param {number} inputShown input in the reader's unit
    */
-  axis(place) {
-    const [start, end] = [this.#cycle.start, this.#cycle.end].map((input) => this.place(input));
+  axis(inputShown) {
+    const [start, end] = [this.#cycle.start, this.#cycle.end].map((input) => this.inputShown(input));
     if (!this.#goesOn) return { start, end };
-    const before = Math.max(0, Math.floor(place / end)) * end;
+    const before = Math.max(0, Math.floor(inputShown / end)) * end;
     return { start: before, end: before + end };
   }
 
   /**
    * Returns the last input on an axis. The end of a span of unlimited time belongs to the next span.
-   * @param {number} place input on this axis, in the reader's unit
+   * @param {number} inputShown input on this axis, in the reader's unit
    */
-  last(place) {
-    const { end } = this.axis(place);
-    return this.#goesOn ? end * (1 - HAIR) : end;
+  last(inputShown) {
+    const { end } = this.axis(inputShown);
+    return this.#goesOn ? end * (1 - INVISIBLE_SHARE) : end;
   }
 
   /** Small step in which the input is moved by hand, in the reader's unit. */
@@ -112,16 +112,16 @@ export class Coordinate {
    * @param {number} input in the engine's unit
    * @returns {number} the input in the reader's unit
    */
-  place(input) {
+  inputShown(input) {
     return this.#turns ? degrees(input) : input;
   }
 
   /**
-   * @param {number} place input in the reader's unit
+   * @param {number} inputShown input in the reader's unit
    * @returns {number} the input in the engine's unit
    */
-  input(place) {
-    return this.#turns ? radians(place) : place;
+  input(inputShown) {
+    return this.#turns ? radians(inputShown) : inputShown;
   }
 
   /**
@@ -129,19 +129,19 @@ export class Coordinate {
    * @returns {number} the input on its axis, in the reader's unit; an input at either end of the axis stays there
    */
   of({ view }) {
-    return this.onto(view[this.field]);
+    return this.onto(view[this.viewKey]);
   }
 
   /**
    * @param {State} state
-   * @param {number} place input in the reader's unit
+   * @param {number} inputShown input in the reader's unit
    * @returns {State} the state with this input; a slide stops at the ends of its travel, time at 0 and at the end of a run
    */
-  put(state, place) {
-    const wanted = this.moves === "time" ? Math.min(place, MAX_TIME) : place;
+  put(state, inputShown) {
+    const wanted = this.moves === "time" ? Math.min(inputShown, MAX_TIME) : inputShown;
     const { start, end } = this.axis(wanted);
     const reached = this.#turns ? this.onto(wanted) : Math.min(Math.max(wanted, start), end);
-    return withView(state, { [this.field]: reached });
+    return withView(state, { [this.viewKey]: reached });
   }
 
   /**
@@ -150,16 +150,16 @@ export class Coordinate {
    * @param {number} decimals for an angle, for a time, and for a slide with a travel from 1 to 10; a longer travel has fewer
    */
   text(input, words, decimals) {
-    return this.written(this.place(input), words, decimals);
+    return this.written(this.inputShown(input), words, decimals);
   }
 
   /**
-   * @param {number} place input in the reader's unit
+   * @param {number} inputShown input in the reader's unit
    * @param {Words} words
    * @param {number} decimals
    */
-  written(place, words, decimals) {
-    return this.#withUnit(words.numbers.fixed(place, this.#decimals(decimals)), words);
+  written(inputShown, words, decimals) {
+    return this.#withUnit(words.numbers.fixed(inputShown, this.#decimals(decimals)), words);
   }
 
   /**
@@ -169,16 +169,16 @@ export class Coordinate {
    * @param {number} decimals
    */
   short(input, words, decimals) {
-    return this.#withUnit(words.numbers.upTo(this.place(input), this.#decimals(decimals)), words);
+    return this.#withUnit(words.numbers.upTo(this.inputShown(input), this.#decimals(decimals)), words);
   }
 
   /**
-   * @param {number} place input in the reader's unit
+   * @param {number} inputShown input in the reader's unit
    * @param {Words} words
    * @returns {string} the input with all its digits, for editing
    */
-  exact(place, { numbers }) {
-    return numbers.exact(place) + (this.#turns ? "°" : "");
+  exact(inputShown, { numbers }) {
+    return numbers.exact(inputShown) + (this.#turns ? "°" : "");
   }
 
   /**
@@ -216,14 +216,14 @@ export class Coordinate {
   }
 
   /**
-   * @param {number} place input in the reader's unit
+   * @param {number} inputShown input in the reader's unit
    * @returns {number} the input on its axis: an angle is moved by whole periods, a time outside the axis to the nearer end
    */
-  onto(place) {
-    const { start, end } = this.axis(place);
-    if (this.moves === "time") return Math.min(Math.max(place, start), end);
-    if (!this.#turns || (place >= start && place <= end)) return place;
+  onto(inputShown) {
+    const { start, end } = this.axis(inputShown);
+    if (this.moves === "time") return Math.min(Math.max(inputShown, start), end);
+    if (!this.#turns || (inputShown >= start && inputShown <= end)) return inputShown;
     const period = end - start;
-    return place - period * Math.floor((place - start) / period);
+    return inputShown - period * Math.floor((inputShown - start) / period);
   }
 }

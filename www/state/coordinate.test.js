@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { Coordinate, FIELDS } from "assur/state/coordinate.js";
+import { Coordinate, VIEW_KEYS } from "assur/state/coordinate.js";
 import { initialState } from "assur/state/state.js";
 import { often } from "assur/tests/random.js";
 import { wordsOf } from "assur/tests/words.js";
@@ -16,8 +16,8 @@ const state = initialState("linkage", { points: [] }, { phi_deg: 400, s: 1.5, t:
 const near = (found, expected) => assert.ok(Math.abs(found - expected) <= 1e-9 * Math.max(1, Math.abs(expected)), `${found} ${expected}`);
 
 test("each input has its field, its symbol and those of its rates", () => {
-  assert.deepEqual(FIELDS, ["phi_deg", "s", "t"]);
-  assert.deepEqual([crank, slide, run].map(({ field }) => field), FIELDS);
+  assert.deepEqual(VIEW_KEYS, ["phi_deg", "s", "t"]);
+  assert.deepEqual([crank, slide, run].map(({ viewKey }) => viewKey), VIEW_KEYS);
   assert.deepEqual([crank, slide, run, new Coordinate("angle", full(0, TURN), "12")].map(({ symbol }) => symbol), ["φ₁", "s", "t", "φ₁₂"]);
   assert.deepEqual(crank.rates, ["ω₁", "ε₁"]);
 });
@@ -27,10 +27,10 @@ test("an angle is brought onto its axis by whole periods, and both ends stay", (
     const [start, turns] = [dice.between(-10, 10), 1 + dice.below(3)];
     const coordinate = new Coordinate("angle", full(start, start + turns * TURN));
     const { start: from, end: to } = coordinate.axis(0);
-    const place = dice.between(-3000, 3000);
-    const found = coordinate.onto(place);
+    const inputShown = dice.between(-3000, 3000);
+    const found = coordinate.onto(inputShown);
     assert.ok(found >= from - 1e-9 && found <= to + 1e-9, `${found} ${from} ${to}`);
-    const periods = (place - found) / (to - from);
+    const periods = (inputShown - found) / (to - from);
     assert.ok(Math.abs(periods - Math.round(periods)) < 1e-9, String(periods));
     assert.equal(coordinate.onto(found), found);
     for (const end of [from, to]) assert.equal(coordinate.onto(end), end);
@@ -42,7 +42,7 @@ test("an angle is brought onto its axis by whole periods, and both ends stay", (
 
 test("a slide and the time of a run stop at their ends", () => {
   for (const [coordinate, wanted, reached] of [[slide, 9, 3], [slide, -9, -2], [slide, 1, 1], [run, 11, 10], [run, -1, 0], [endless, -1, 0], [endless, 1e9, 1e6]]) {
-    assert.equal(coordinate.put(state, wanted).view[coordinate.field], reached);
+    assert.equal(coordinate.put(state, wanted).view[coordinate.viewKey], reached);
   }
   assert.equal(crank.put(state, 361.5).view.phi_deg, 1.5);
   assert.equal(crank.put(state, 360).view.phi_deg, 360);
@@ -52,7 +52,7 @@ test("time that goes on has one span after the other", () => {
   assert.deepEqual(endless.axis(37), { start: 30, end: 40 });
   assert.deepEqual(endless.axis(0), { start: 0, end: 10 });
   assert.deepEqual(run.axis(37), { start: 0, end: 10 });
-  // The end of a span is the beginning of the next: its last place is before it.
+  // The end of a span is the beginning of the next: its last input is before it.
   const last = endless.last(37);
   assert.ok(last < 40 && last > 39.999);
   assert.deepEqual(endless.axis(last), { start: 30, end: 40 });
@@ -62,11 +62,11 @@ test("time that goes on has one span after the other", () => {
 
 test("readers have degrees, the engine radians; a length and a time are the same for both", () => {
   often(300, (dice) => {
-    const place = dice.between(-720, 720);
-    near(crank.place(crank.input(place)), place);
-    near(crank.input(place), (place / 180) * Math.PI);
-    assert.equal(slide.input(place), place);
-    assert.equal(run.place(place), place);
+    const inputShown = dice.between(-720, 720);
+    near(crank.inputShown(crank.input(inputShown)), inputShown);
+    near(crank.input(inputShown), (inputShown / 180) * Math.PI);
+    assert.equal(slide.input(inputShown), inputShown);
+    assert.equal(run.inputShown(inputShown), inputShown);
   });
 });
 

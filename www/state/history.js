@@ -1,11 +1,11 @@
 // Undo and redo: a list of earlier mechanisms. A step is what a person regards as one change.
 import { whenReleased } from "assur/core/released.js";
 import { partOf } from "assur/state/drafts.js";
-import { FURTHER, UNDONE, furtherOf, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { EXTRAS, UNDOABLE_VIEW, extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {Readonly<{ kind: State["kind"], document: State["document"], further: import("assur/state/state.js").Further, shown: Partial<State["view"]> }>} Moment
+ * @typedef {Readonly<{ kind: State["kind"], document: State["document"], extras: import("assur/state/state.js").Extras, shown: Partial<State["view"]> }>} UndoEntry
  * What undo restores. Input, playing, speed and language are not undone, because nothing is lost when they change.
  */
 
@@ -21,9 +21,9 @@ const MAX_STEPS = 1000;
 const IMAGES = 20_000_000;
 
 export class History {
-  /** @type {Moment[]} */
+  /** @type {UndoEntry[]} */
   #past = [];
-  /** @type {Moment[]} */
+  /** @type {UndoEntry[]} */
   #future = [];
   /** Whether the next change belongs to the previous step. */
   #open = false;
@@ -45,8 +45,8 @@ export class History {
     this.#store = store;
     this.#drafts = drafts;
     store.subscribe((state, previous) => {
-      if (this.#walking || same(moment(state), moment(previous))) return;
-      if (!this.#open) this.#add(moment(previous));
+      if (this.#walking || same(entryOf(state), entryOf(previous))) return;
+      if (!this.#open) this.#add(entryOf(previous));
       this.#future = [];
       this.#open = true;
     });
@@ -114,9 +114,9 @@ export class History {
     this.close();
   }
 
-  /** @param {Moment} one moment to return to; beyond a limit, the oldest moments are dropped */
-  #add(one) {
-    this.#past.push(one);
+  /** @param {UndoEntry} entry to return to; beyond a limit, the oldest entries are dropped */
+  #add(entry) {
+    this.#past.push(entry);
     while (this.#past.length > MAX_STEPS || imagesOf(this.#past) > IMAGES) this.#past.shift();
   }
 
@@ -133,19 +133,19 @@ export class History {
   }
 
   /**
-   * @param {Moment[]} from
-   * @param {Moment[]} to
+   * @param {UndoEntry[]} from
+   * @param {UndoEntry[]} to
    */
   #walk(from, to) {
     this.close();
     const next = from.pop();
     if (!next) return;
     const state = this.#store.get();
-    to.push(moment(state));
+    to.push(entryOf(state));
     this.#drafts.dropAll(Object.keys(next.document));
     this.#walking = true;
     try {
-      this.#store.update((now) => withView(withFurther(withMechanism(now, next.kind, next.document), next.further), next.shown));
+      this.#store.update((now) => withView(withExtras(withMechanism(now, next.kind, next.document), next.extras), next.shown));
     } finally {
       this.#walking = false;
     }
@@ -154,27 +154,27 @@ export class History {
 
 /**
  * @param {State} state
- * @returns {Moment}
+ * @returns {UndoEntry}
  */
-function moment(state) {
+function entryOf(state) {
   const { kind, document, view } = state;
-  return { kind, document, further: furtherOf(state), shown: Object.fromEntries(UNDONE.map((name) => [name, view[name]])) };
+  return { kind, document, extras: extrasOf(state), shown: Object.fromEntries(UNDOABLE_VIEW.map((name) => [name, view[name]])) };
 }
 
 /**
- * @param {readonly Moment[]} moments
- * @returns {number} total length of the images in the moments, in characters; equal images count once
+ * @param {readonly UndoEntry[]} entries
+ * @returns {number} total length of the images in the entries, in characters; equal images count once
  */
-function imagesOf(moments) {
-  const images = new Set(moments.map(({ further }) => further.picture?.image ?? ""));
+function imagesOf(entries) {
+  const images = new Set(entries.map(({ extras }) => extras.picture?.image ?? ""));
   return [...images].reduce((sum, { length }) => sum + length, 0);
 }
 
 /**
- * @param {Moment} one
- * @param {Moment} other
+ * @param {UndoEntry} one
+ * @param {UndoEntry} other
  */
 function same(one, other) {
-  const further = FURTHER.every((name) => one.further[name] === other.further[name]);
-  return one.document === other.document && further && UNDONE.every((name) => one.shown[name] === other.shown[name]);
+  const extras = EXTRAS.every((name) => one.extras[name] === other.extras[name]);
+  return one.document === other.document && extras && UNDOABLE_VIEW.every((name) => one.shown[name] === other.shown[name]);
 }

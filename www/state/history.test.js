@@ -5,7 +5,7 @@ import { often } from "assur/tests/random.js";
 import { Drafts } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
 import { Store } from "assur/state/store.js";
-import { UNDONE, furtherOf, initialState, withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { UNDOABLE_VIEW, extrasOf, initialState, withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
 
 /** A page without a page: a store, its drafts and its history. */
 function begin() {
@@ -18,7 +18,7 @@ function begin() {
 
 /** What undo brings back of a state, to compare with. */
 function undone(state) {
-  return JSON.stringify([state.kind, state.document, furtherOf(state), UNDONE.map((name) => state.view[name])]);
+  return JSON.stringify([state.kind, state.document, extrasOf(state), UNDOABLE_VIEW.map((name) => state.view[name])]);
 }
 
 const slider = () => Object.assign(new HTMLInputElement(), { type: "range" });
@@ -100,9 +100,9 @@ test("what is laid over the drawing, a lesson, a picture and what is compared ar
     (state) => withView(state, { traces: false }),
     (state) => withView(state, { measures: ["A-B.distance"] }),
     (state) => withView(state, { against: { x: "input", y: "C.y" } }),
-    (state) => withFurther(state, { lesson: { title: "", steps: [] } }),
-    (state) => withFurther(state, { compared: { kind: "mixer", document: { l1: 9, l2: 9 } } }),
-    (state) => withFurther(state, { picture: { image: "x" } }),
+    (state) => withExtras(state, { lesson: { title: "", steps: [] } }),
+    (state) => withExtras(state, { compared: { kind: "mixer", document: { l1: 9, l2: 9 } } }),
+    (state) => withExtras(state, { picture: { image: "x" } }),
     (state) => withMechanism(state, "linkage", { points: [] }),
   ];
   const states = [store.get()];
@@ -205,10 +205,10 @@ test("random edits: undone one by one they are the states before, redone the sta
       (state) => withView(state, { traces: !state.view.traces }),
       (state) => withView(state, { phi_deg: dice.below(360) }),
       (state) => withView(state, { measures: [`${dice.below(3)}-B.distance`] }),
-      (state) => withFurther(state, { lesson: dice.one(lessons) }),
+      (state) => withExtras(state, { lesson: dice.one(lessons) }),
     ];
-    // A model of what a history is: all moments, and which one is shown.
-    const moments = [undone(store.get())];
+    // A model of what a history is: all entries, and which one is shown.
+    const entries = [undone(store.get())];
     let at = 0;
     for (let step = 0; step < 80; step++) {
       const choice = dice.below(10);
@@ -217,15 +217,15 @@ test("random edits: undone one by one they are the states before, redone the sta
         at = Math.max(at - 1, 0);
       } else if (choice < 4) {
         history.redo();
-        at = Math.min(at + 1, moments.length - 1);
+        at = Math.min(at + 1, entries.length - 1);
       } else {
         history.step(() => store.update(dice.one(edits)));
         const now = undone(store.get());
         // What changes nothing is no step, and leaves what can be redone.
-        if (now !== moments[at]) moments.splice(++at, Infinity, now);
+        if (now !== entries[at]) entries.splice(++at, Infinity, now);
       }
-      assert.equal(undone(store.get()), moments[at]);
-      assert.deepEqual([history.canUndo, history.canRedo], [at > 0, at < moments.length - 1]);
+      assert.equal(undone(store.get()), entries[at]);
+      assert.deepEqual([history.canUndo, history.canRedo], [at > 0, at < entries.length - 1]);
     }
   });
 });
@@ -242,7 +242,7 @@ test("of many steps the last thousand are undone, and there undo ends", () => {
 
 test("pictures that were replaced are kept up to twenty million characters, however many steps each has", () => {
   const { store, history, set } = begin();
-  const put = (n) => store.update((state) => withFurther(state, { picture: { image: String(n).padEnd(2_000_000, "A"), at: [0, 0], width: 1, turn_deg: 0, opacity: 1 } }));
+  const put = (n) => store.update((state) => withExtras(state, { picture: { image: String(n).padEnd(2_000_000, "A"), at: [0, 0], width: 1, turn_deg: 0, opacity: 1 } }));
   for (let n = 1; n <= 15; n++) {
     history.step(() => put(n));
     for (const l1 of [n, n + 0.5]) history.step(() => set({ l1 }));

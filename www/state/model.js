@@ -1,6 +1,6 @@
 // Data for everything that the page shows, derived from the state. The engine is asked only for what a change requires.
 import { attempt } from "assur/core/problem.js";
-import { Coordinate, FIELDS } from "assur/state/coordinate.js";
+import { Coordinate, VIEW_KEYS } from "assur/state/coordinate.js";
 import { partOf } from "assur/state/drafts.js";
 import { DRAWN, PARTS } from "assur/state/state.js";
 
@@ -19,7 +19,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * @typedef {{
  *   state: State,
  *   coordinate: Coordinate,
- *   place: number,
+ *   inputShown: number,
  *   input: number,
  *   words: Words,
  *   scene: Float32Array,
@@ -29,19 +29,19 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  *   frameInput: number,
  *   readouts: Readouts | null,
  *   plotted: Float64Array | null,
- *   compared: import("assur/state/compared.js").Beside | null,
+ *   compared: import("assur/state/compared.js").Comparison | null,
  *   compares: boolean,
  *   problems: readonly Problem[],
  *   stale: boolean,
  *   faded: boolean,
- *   legible: boolean,
+ *   numbersDue: boolean,
  *   withheld: ReadonlySet<string>,
  * }} Shown
- * What the views draw. `place`: the input on its axis, in the reader's unit; `input`: the same in the engine's unit. `revision`: number of
+ * What the views draw. `inputShown`: the input on its axis, in the reader's unit; `input`: the same in the engine's unit. `revision`: number of
  * mechanisms taken so far. `handles`: x and y of the summary's handles in the last drawing; `frameInput`: input of this drawing. `readouts`,
  * `plotted`: null if there are none at the input. `compared`: mechanism A at the input, null if A is not shown or cannot be assembled;
  * `compares`: whether A is shown. `stale`: whether the mechanism and plots are not those of the state, which has problems. `faded`: whether
- * the drawing is stale or at another input. `legible`: whether numbers are to be written now; in motion they are not written in every frame.
+ * the drawing is stale or at another input. `numbersDue`: whether numbers are to be written now; in motion they are not written in every frame.
  * `withheld`: ids of the read-outs that are hidden because a lesson asks for them.
  */
 
@@ -87,15 +87,15 @@ export class Model {
   /** @type {State | null} the state that the engine was asked about last */
   #asked = null;
   /** @type {State} */
-  #good;
+  #lastAccepted;
   #revision = 0;
   /** Revision of the mechanism that was drawn last. */
-  #placed = 0;
+  #poseRevision = 0;
   /** @type {Drawn<Kind>} */
   #drawn;
   /** @type {Float32Array} */
   #scene;
-  /** @type {import("assur/engine.js").Placed} the mechanism at the last input at which it could be assembled */
+  /** @type {import("assur/engine.js").PoseData} the mechanism at the last input at which it could be assembled */
   #here;
   #frameInput;
   /** Unit and range of the input. */
@@ -106,12 +106,12 @@ export class Model {
   #readouts = null;
   /** @type {Float64Array | null} */
   #plotted = null;
-  /** @type {import("assur/state/compared.js").Beside | null} */
+  /** @type {import("assur/state/compared.js").Comparison | null} */
   #compared = null;
   /** @type {readonly Problem[]} */
   #refused = [];
   /** @type {readonly Problem[]} */
-  #unplaced = [];
+  #poseProblems = [];
   /** @type {readonly Problem[]} */
   #unread = [];
 
@@ -130,8 +130,8 @@ export class Model {
     this.#frameInput = this.home;
     this.#revision = 1;
     this.#asked = state;
-    this.#good = state;
-    this.#place(state);
+    this.#lastAccepted = state;
+    this.#updatePose(state);
   }
 
   /** @returns {import("assur/types/web.js").Summary} */
@@ -155,12 +155,12 @@ export class Model {
   }
 
   /** @returns {State} the last state that the engine took */
-  get good() {
-    return this.#good;
+  get lastAccepted() {
+    return this.#lastAccepted;
   }
 
   /** Whether the engine took the state that it was asked about last. */
-  get sound() {
+  get accepted() {
     return this.#refused.length === 0;
   }
 
@@ -170,17 +170,17 @@ export class Model {
    */
   takes(state) {
     this.follow(state);
-    return this.sound;
+    return this.accepted;
   }
 
   /** Whether the state refers to a quantity or a part that the mechanism lacks. */
-  get astray() {
+  get hasDanglingReference() {
     return this.#refused.some(({ code, field }) => code === "unknown_choice" && field !== undefined && Object.hasOwn(PARTS, field));
   }
 
   /** Whether the mechanism can be assembled at the current input. */
-  get placed() {
-    return this.#unplaced.length === 0;
+  get hasPose() {
+    return this.#poseProblems.length === 0;
   }
 
   /**
@@ -189,7 +189,7 @@ export class Model {
    */
   fallOpen(share) {
     this.#opened = share;
-    if (this.#asked) this.#place(this.#asked);
+    if (this.#asked) this.#updatePose(this.#asked);
   }
 
   /**
@@ -199,35 +199,35 @@ export class Model {
   follow(state) {
     const asked = this.#asked;
     const other = !asked || asked.document !== state.document || asked.compared !== state.compared || DRAWN.some((name) => asked.view[name] !== state.view[name]);
-    const moved = !asked || FIELDS.some((name) => asked.view[name] !== state.view[name]);
+    const moved = !asked || VIEW_KEYS.some((name) => asked.view[name] !== state.view[name]);
     if (other) this.#take(state);
-    if (other || moved) this.#place(state);
+    if (other || moved) this.#updatePose(state);
     this.#asked = state;
-    if (this.sound) this.#good = state;
+    if (this.accepted) this.#lastAccepted = state;
   }
 
   /**
    * @param {State} state
    * @param {Words} words
-   * @param {boolean} legible
+   * @param {boolean} numbersDue
    * @returns {AnySnapshot}
    */
-  snapshot(state, words, legible) {
+  snapshot(state, words, numbersDue) {
     // A typed value hides the problem of the value that the state still has.
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.problems;
     const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
     // In motion a dead point is passed within one frame, too fast for a sentence on it to be read.
     const unread = state.view.playing ? [] : this.#unread;
-    const placing = stale ? [] : this.#unplaced.length > 0 ? this.#unplaced : unread;
+    const poseProblems = stale ? [] : this.#poseProblems.length > 0 ? this.#poseProblems : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];
-    const place = this.#coordinate.of(state);
+    const inputShown = this.#coordinate.of(state);
     return {
       ...this.#drawn,
       state,
       coordinate: this.#coordinate,
-      place,
-      input: this.#coordinate.input(place),
+      inputShown,
+      input: this.#coordinate.input(inputShown),
       words,
       scene: this.#scene,
       revision: this.#revision,
@@ -238,10 +238,10 @@ export class Model {
       plotted: this.#plotted,
       compared: this.#compared,
       compares: this.#engine.compares,
-      problems: [...trapped, ...drafted, ...refused.filter(notTrapped), ...placing.filter(notTrapped)],
+      problems: [...trapped, ...drafted, ...refused.filter(notTrapped), ...poseProblems.filter(notTrapped)],
       stale,
-      faded: stale || this.#unplaced.length > 0,
-      legible,
+      faded: stale || this.#poseProblems.length > 0,
+      numbersDue,
       withheld: this.withheld,
     };
   }
@@ -263,19 +263,19 @@ export class Model {
   }
 
   /** @param {State} state */
-  #place(state) {
+  #updatePose(state) {
     const input = this.summary.moves ? this.#coordinate.input(this.#coordinate.of(state)) : this.#opened;
     const { value: here, problems } = attempt(() => this.#engine.at(input));
-    this.#unplaced = problems;
+    this.#poseProblems = problems;
     this.#unread = here && !here.readouts ? this.#engine.simulator.why(input) : [];
     this.#readouts = here?.readouts ?? null;
     this.#plotted = here?.plotted ?? null;
     this.#compared = this.#engine.compared(input);
     // If the mechanism cannot be assembled at this input, its last drawing stays, but not that of another mechanism.
-    if (!here && this.#placed === this.#revision) return;
+    if (!here && this.#poseRevision === this.#revision) return;
     this.#here = here ?? this.#engine.at(this.home);
     this.#frameInput = here ? input : this.home;
-    this.#placed = this.#revision;
+    this.#poseRevision = this.#revision;
   }
 }
 

@@ -3,9 +3,9 @@ import test from "node:test";
 import { change, inputNow, take } from "assur/state/change.js";
 import { Drafts, INPUT } from "assur/state/drafts.js";
 import { Model } from "assur/state/model.js";
-import { Player, placed, turned } from "assur/state/player.js";
+import { Player, stoppedAt, turned } from "assur/state/player.js";
 import { Store } from "assur/state/store.js";
-import { withDocument, withFurther, withMechanism, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
 import { often } from "assur/tests/random.js";
 import { wordsOf } from "assur/tests/words.js";
@@ -31,16 +31,16 @@ function begin(id, view = {}) {
 
 test("a length that cannot be assembled leaves the last good drawing, with a message of its name and excess", () => {
   const { now, update, model } = begin("mixer-a");
-  const good = now();
+  const last = now();
   const bad = update((state) => withDocument(state, { l4: 2 }));
-  assert.deepEqual([bad.stale, bad.faded, model.sound], [true, true, false]);
+  assert.deepEqual([bad.stale, bad.faded, model.accepted], [true, true, false]);
   assert.ok(bad.problems.length === 1 && Math.abs(bad.problems[0].by - 0.23) < 1e-9, JSON.stringify(bad.problems));
-  for (const part of ["summary", "scene", "revision", "kind"]) assert.equal(bad[part], good[part], part);
-  for (const part of ["frame", "readouts"]) assert.deepEqual(bad[part], good[part], part);
-  assert.equal(model.good.document.l4, 0.85);
+  for (const part of ["summary", "scene", "revision", "kind"]) assert.equal(bad[part], last[part], part);
+  for (const part of ["frame", "readouts"]) assert.deepEqual(bad[part], last[part], part);
+  assert.equal(model.lastAccepted.document.l4, 0.85);
   const back = update((state) => withDocument(state, { l4: 0.85 }));
   assert.deepEqual([back.stale, back.faded, back.problems], [false, false, []]);
-  assert.deepEqual(back.frame, good.frame);
+  assert.deepEqual(back.frame, last.frame);
 });
 
 test("every bad number of a mixer is a problem of its field, and good ones recover", () => {
@@ -63,13 +63,13 @@ test("every bad number of a mixer is a problem of its field, and good ones recov
 test("an angle without a pose leaves the last drawing, with the angle in the problem, and plots stay", () => {
   const { now, update, model } = begin("mixer-a", { phi_deg: 10 });
   for (const lengths of [{ l1: 0.8 }, { l2: 0.4 }]) update((state) => withDocument(state, lengths));
-  const good = now();
-  assert.deepEqual(good.problems, []);
+  const last = now();
+  assert.deepEqual(last.problems, []);
   const bad = update((state) => withView(state, { phi_deg: 170 }));
-  assert.deepEqual([bad.stale, bad.faded, model.placed], [false, true, false]);
+  assert.deepEqual([bad.stale, bad.faded, model.hasPose], [false, true, false]);
   assert.ok(bad.problems.some(({ phi }) => Math.abs(phi - (170 / 180) * Math.PI) < 1e-9), JSON.stringify(bad.problems));
-  assert.equal(bad.frame, good.frame);
-  assert.equal(bad.frameInput, good.frameInput);
+  assert.equal(bad.frame, last.frame);
+  assert.equal(bad.frameInput, last.frameInput);
   assert.equal(bad.readouts, null);
   assert.deepEqual(update((state) => withView(state, { phi_deg: 10 })).problems, []);
 });
@@ -99,15 +99,15 @@ test("only what a change makes necessary is asked of the engine", (t) => {
   assert.deepEqual(asked(), [1, 2]);
 });
 
-test("a mechanism of another kind has another count of its input, and a place of its own", () => {
+test("a mechanism of another kind has another count of its input, and an input of its own", () => {
   const { engine, update, now } = begin("mixer-a");
   const before = now().revision;
   const { kind, document } = engine.catalogue.preset("train-gears");
   const shown = update((state) => withMechanism(state, kind, document));
-  assert.deepEqual([shown.kind, shown.coordinate.moves, shown.place, shown.revision], ["gear-train", "time", 0, before + 1]);
+  assert.deepEqual([shown.kind, shown.coordinate.moves, shown.inputShown, shown.revision], ["gear-train", "time", 0, before + 1]);
 });
 
-test("all mechanisms of the catalogue have drawings, read-outs and handles at every place they reach", () => {
+test("all mechanisms of the catalogue have drawings, read-outs and handles at every input they reach", () => {
   const { engine, store, update } = begin("mixer-a");
   for (const { id, kind, document } of engine.catalogue.presets) {
     store.put(stateOf(engine, id));
@@ -116,7 +116,7 @@ test("all mechanisms of the catalogue have drawings, read-outs and handles at ev
     const { arcs, start, end } = summary.cycle;
     for (const [from, to] of arcs.length > 0 ? arcs : [[start, end]]) {
       for (let k = 1; k < 8; k++) {
-        const here = update((state) => coordinate.put(state, coordinate.place(from + ((to - from) * k) / 8)));
+        const here = update((state) => coordinate.put(state, coordinate.inputShown(from + ((to - from) * k) / 8)));
         assert.deepEqual(here.problems.filter(({ code }) => code !== "change_point"), [], `${id} ${k}`);
         for (const list of [here.frame, here.handles, Object.values(here.readouts ?? {})]) assert.ok([...list].every(Number.isFinite), `${id} ${k}`);
         assert.equal(here.handles.length, 2 * summary.handles.length, id);
@@ -129,14 +129,14 @@ test("all mechanisms of the catalogue have drawings, read-outs and handles at ev
 test("a driver that is played turns back at the ends of its way by itself, and the reader's direction stays", () => {
   const { engine, store, model, update } = begin("chebyshev", { playing: true, speed: 4 });
   const player = new Player();
-  const places = [];
+  const inputs = [];
   for (let i = 0; i < 200; i++) {
-    const { place } = update((state) => player.played(state, 0.05, engine, model));
-    places.push(place);
+    const { inputShown } = update((state) => player.played(state, 0.05, engine, model));
+    inputs.push(inputShown);
   }
-  const back = places.some((place, i) => i > 0 && place < places[i - 1]);
-  const forth = places.some((place, i) => i > 0 && place > places[i - 1]);
-  assert.ok(back && forth, String(places));
+  const back = inputs.some((inputShown, i) => i > 0 && inputShown < inputs[i - 1]);
+  const forth = inputs.some((inputShown, i) => i > 0 && inputShown > inputs[i - 1]);
+  assert.ok(back && forth, String(inputs));
   assert.deepEqual([store.get().view.direction, store.get().view.playing], [1, true]);
 });
 
@@ -150,7 +150,7 @@ test("a crank that is played turns by its speed and its direction, and stands st
   const rest = withView(store.get(), { playing: false });
   assert.equal(player.played(rest, 1, engine, model), rest);
   assert.deepEqual([turned(1), turned(-1)], [-1, 1]);
-  const { view } = placed(store.get(), 725, model);
+  const { view } = stoppedAt(store.get(), 725, model);
   assert.deepEqual([view.phi_deg, view.playing], [5, false]);
 });
 
@@ -160,7 +160,7 @@ test("where nothing can be assembled a motion goes on from home", () => {
   update((state) => withView(state, { phi_deg: 170, playing: true }));
   const next = new Player().played(store.get(), 0.01, engine, model);
   model.follow(next);
-  assert.ok(model.placed, String(next.view.phi_deg));
+  assert.ok(model.hasPose, String(next.view.phi_deg));
 });
 
 test("what the engine changes of a document is taken, with the place of the input that goes with it", () => {
@@ -193,7 +193,7 @@ test("any drag of any handle gives a mechanism that the engine takes, or is refu
       const [x, y] = [handles[2 * at] + dice.between(-0.1, 0.1) * (bounds[2] - bounds[0]), handles[2 * at + 1] + dice.between(-0.1, 0.1) * (bounds[3] - bounds[1])];
       change(() => engine.simulator.drag(summary.handles[at].name, inputNow(page), x, y), "drag", page);
       model.follow(store.get());
-      assert.ok(model.sound, JSON.stringify(now().problems));
+      assert.ok(model.accepted, JSON.stringify(now().problems));
       drafts.drop("drag");
     }
   });
@@ -203,9 +203,9 @@ test("what is compared is read at the same input, and only where it changes it i
   const { engine, update, now } = begin("mixer-a");
   const { document } = now().state;
   const compared = { kind: "mixer", document };
-  const beside = update((state) => withFurther(state, { compared }));
-  assert.equal(beside.compares, true);
-  assert.deepEqual(beside.compared.readouts, beside.readouts);
+  const both = update((state) => withExtras(state, { compared }));
+  assert.equal(both.compares, true);
+  assert.deepEqual(both.compared.readouts, both.readouts);
   // By the same axes, with the same rates of the driver, and what is measured of both.
   const byTime = update((state) => withView(state, { axes: "physical", omega: 2, epsilon: 3, measures: ["A-C.distance"] }));
   assert.deepEqual(byTime.compared.readouts, byTime.readouts);
@@ -218,25 +218,25 @@ test("what is compared is read at the same input, and only where it changes it i
   assert.notEqual(turned.compared.readouts["rocker.angle"], other.compared.readouts["rocker.angle"]);
   // The drawing has room for both.
   const { kind, document: jansen } = engine.catalogue.preset("jansen");
-  const large = update((state) => withFurther(state, { compared: { kind, document: jansen } }));
+  const large = update((state) => withExtras(state, { compared: { kind, document: jansen } }));
   assert.ok(large.summary.bounds[2] - large.summary.bounds[0] > 10);
   // What goes by another sort of input is not shown beside it.
   const train = engine.catalogue.preset("train-gears");
-  const none = update((state) => withFurther(state, { compared: { kind: train.kind, document: train.document } }));
+  const none = update((state) => withExtras(state, { compared: { kind: train.kind, document: train.document } }));
   assert.deepEqual([none.compares, none.compared], [false, null]);
-  assert.equal(update((state) => withFurther(state, { compared: undefined })).compared, null);
+  assert.equal(update((state) => withExtras(state, { compared: undefined })).compared, null);
 });
 
-test("a plot of what another mechanism has not is said to be astray", () => {
+test("a plot of a quantity that the new mechanism lacks is a dangling reference", () => {
   const { update, model } = begin("jansen", { plot: "F" });
-  assert.equal(model.astray, false);
+  assert.equal(model.hasDanglingReference, false);
   update((state) => withView(state, { plot: "nothing" }));
-  assert.deepEqual([model.astray, model.sound], [true, false]);
+  assert.deepEqual([model.hasDanglingReference, model.accepted], [true, false]);
   update((state) => withView(state, { plot: "angles" }));
-  assert.equal(model.sound, true);
+  assert.equal(model.accepted, true);
 });
 
-test("an engine that broke is replaced by one with the last good state, and says so until it takes another", (t) => {
+test("an engine that broke is replaced by one with the last accepted state, and says so until it takes another", (t) => {
   t.mock.method(console, "error", () => {});
   const { engine, now, update } = begin("jansen");
   const frame = [...now().frame];

@@ -30,24 +30,24 @@ export class Player {
     if (!view.playing) return state;
     // If the mechanism cannot be assembled at this input, the motion starts at the drawn input.
     const { coordinate } = model;
-    const from = model.placed ? coordinate.input(coordinate.of(state)) : model.home;
+    const from = model.hasPose ? coordinate.input(coordinate.of(state)) : model.home;
     const { value: moved } = attempt(() => engine.simulator.advance(from, this.#sense * view.direction * coordinate.pace(view) * dt));
     if (!moved) return withView(state, { playing: false });
     const [input, sense] = moved;
     if (sense < 0) this.#sense = -this.#sense;
-    return coordinate.put(state, coordinate.place(input));
+    return coordinate.put(state, coordinate.inputShown(input));
   }
 }
 
 /**
  * Returns the state with the driver moved by hand and the motion stopped.
  * @param {State} state
- * @param {number} place input in the reader's unit
+ * @param {number} inputShown input in the reader's unit
  * @param {Model} model
  * @returns {State}
  */
-export function placed(state, place, model) {
-  return withView(model.coordinate.put(state, place), { playing: false });
+export function stoppedAt(state, inputShown, model) {
+  return withView(model.coordinate.put(state, inputShown), { playing: false });
 }
 
 /**

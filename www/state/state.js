@@ -19,13 +19,13 @@
 
 /**
  * @typedef {Frozen<import("assur/types/file.js").PictureDocument>} Picture behind the drawing
- * @typedef {Readonly<{ lesson?: Written, compared?: Document, picture?: Picture }>} Further optional parts of a state. `lesson`: a lecturer's lesson;
+ * @typedef {Readonly<{ lesson?: Written, compared?: Document, picture?: Picture }>} Extras optional parts of a state. `lesson`: a lecturer's lesson;
  * `compared`: mechanism A, with which the document's is compared; `picture`: a picture behind the drawing
  */
 
 /**
  * @template {Kind} [K=Kind]
- * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View } & Further> : never} State
+ * @typedef {K extends Kind ? Readonly<{ format: 2, kind: K, document: Documents[K], view: View } & Extras> : never} State
  */
 
 /** Overlays of the drawing. */
@@ -43,10 +43,10 @@ export const DRAWN = Object.freeze(
 export const PARTS = Object.freeze({ plot: "angles", against: null, about: "", relative_to: "", measures: Object.freeze([]) });
 
 /** Fields of the view that are undone with the document. Changes of other fields lose no work. */
-export const UNDONE = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
+export const UNDOABLE_VIEW = Object.freeze(/** @type {const} */ ([...OVERLAYS, "measures", "against"]));
 
 /** Optional parts of a state besides its document and its view. */
-export const FURTHER = Object.freeze(/** @type {const} */ (["lesson", "compared", "picture"]));
+export const EXTRAS = Object.freeze(/** @type {const} */ (["lesson", "compared", "picture"]));
 
 /** Limit of the number of traced points of a mechanism. */
 export const TRACERS = Object.freeze({ most: 6 });
@@ -101,11 +101,11 @@ export function usualView(view) {
  * @param {K} kind
  * @param {Documents[K]} document
  * @param {Partial<View>} view
- * @param {Further} [further]
+ * @param {Extras} [extras]
  * @returns {State}
  */
-export function initialState(kind, document, view, further) {
-  return stateOf(kind, document, usualView(view), further);
+export function initialState(kind, document, view, extras) {
+  return stateOf(kind, document, usualView(view), extras);
 }
 
 /**
@@ -113,37 +113,37 @@ export function initialState(kind, document, view, further) {
  * @param {K} kind
  * @param {Documents[K]} document
  * @param {View} view
- * @param {Further} [further]
+ * @param {Extras} [extras]
  */
-function stateOf(kind, document, view, further = {}) {
-  const there = FURTHER.filter((name) => further[name]).map((name) => [name, further[name]]);
+function stateOf(kind, document, view, extras = {}) {
+  const there = EXTRAS.filter((name) => extras[name]).map((name) => [name, extras[name]]);
   return /** @type {State} */ (Object.freeze({ format: 2, kind, document, view, ...Object.fromEntries(there) }));
 }
 
 /**
- * @param {Further} state
- * @returns {Further} the optional parts of the state, undefined if missing
+ * @param {Extras} state
+ * @returns {Extras} the optional parts of the state, undefined if missing
  */
-export function furtherOf(state) {
-  return Object.fromEntries(FURTHER.map((name) => [name, state[name]]));
+export function extrasOf(state) {
+  return Object.fromEntries(EXTRAS.map((name) => [name, state[name]]));
 }
 
 /**
  * @param {Pick<State, "kind" | "document" | "view">} state
  * @returns {State} the state without its optional parts, which the engine does not need
  */
-export function alone({ kind, document, view }) {
+export function withoutExtras({ kind, document, view }) {
   return stateOf(kind, document, view);
 }
 
 /**
  * @param {State} state
- * @param {Further} change of the optional parts
+ * @param {Extras} change of the optional parts
  * @returns {State} the changed state; the same object if nothing changes
  */
-export function withFurther(state, change) {
+export function withExtras(state, change) {
   const next = stateOf(state.kind, state.document, state.view, { ...state, ...change });
-  return FURTHER.every((name) => next[name] === state[name]) ? state : next;
+  return EXTRAS.every((name) => next[name] === state[name]) ? state : next;
 }
 
 /**

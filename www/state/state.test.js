@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Store } from "assur/state/store.js";
 import {
-  DRAWN, PARTS, SWITCHES, UNDONE, alone, contains, edited, furtherOf, initialState, usualView, withDocument, withFurther, withMechanism, withView,
+  DRAWN, PARTS, SWITCHES, UNDOABLE_VIEW, contains, edited, extrasOf, initialState, usualView, withDocument, withExtras, withMechanism, withView, withoutExtras,
 } from "assur/state/state.js";
 
 const document = Object.freeze({ l1: 1, wheels: [{ z: 18 }] });
@@ -11,8 +11,8 @@ const state = initialState("mixer", document, { lang: "ru" });
 test("a change that changes nothing gives the same state", () => {
   assert.equal(withView(state, { phi_deg: 62, lang: "ru", measures: [] }), state);
   assert.equal(withDocument(state, { l1: 1, wheels: [{ z: 18 }] }), state);
-  assert.equal(withFurther(state, {}), state);
-  assert.equal(withFurther(state, { picture: undefined }), state);
+  assert.equal(withExtras(state, {}), state);
+  assert.equal(withExtras(state, { picture: undefined }), state);
 });
 
 test("a change makes a new frozen state and leaves the old one as it was", () => {
@@ -28,12 +28,12 @@ test("a change makes a new frozen state and leaves the old one as it was", () =>
 
 test("what is besides the document goes with every other change, and can be taken away", () => {
   const lesson = { title: "x", steps: [] };
-  const taught = withFurther(state, { lesson });
+  const taught = withExtras(state, { lesson });
   for (const one of [withView(taught, { phi_deg: 1 }), withDocument(taught, { l1: 3 }), withMechanism(taught, "linkage", { points: [] })]) assert.equal(one.lesson, lesson);
-  assert.ok(!("lesson" in withFurther(taught, { lesson: undefined })));
-  assert.deepEqual(furtherOf(taught), { lesson, compared: undefined, picture: undefined });
-  assert.deepEqual(Object.keys(alone(taught)).sort(), ["document", "format", "kind", "view"]);
-  assert.equal(alone(taught).document, taught.document);
+  assert.ok(!("lesson" in withExtras(taught, { lesson: undefined })));
+  assert.deepEqual(extrasOf(taught), { lesson, compared: undefined, picture: undefined });
+  assert.deepEqual(Object.keys(withoutExtras(taught)).sort(), ["document", "format", "kind", "view"]);
+  assert.equal(withoutExtras(taught).document, taught.document);
 });
 
 test("a change of one kind of document leaves another as it is", () => {
@@ -43,7 +43,7 @@ test("a change of one kind of document leaves another as it is", () => {
 
 test("what the engine draws by, what is undone and what refers to parts are fields of the view", () => {
   const view = usualView({});
-  for (const name of [...DRAWN, ...UNDONE, ...SWITCHES, ...Object.keys(PARTS)]) assert.ok(name in view, name);
+  for (const name of [...DRAWN, ...UNDOABLE_VIEW, ...SWITCHES, ...Object.keys(PARTS)]) assert.ok(name in view, name);
   assert.deepEqual({ ...view, ...PARTS }, view);
 });
 

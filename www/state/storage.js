@@ -1,6 +1,6 @@
 // Places where the state outlives the page: the address and the browser's storage. The page also works without them.
 import { toFile } from "assur/state/codec.js";
-import { withFurther } from "assur/state/state.js";
+import { withExtras } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
 
@@ -32,7 +32,7 @@ let sayUnfit = () => {};
 
 /** @returns {string | null} the state that was kept last */
 export function stored() {
-  return guarded(() => localStorage.getItem(KEY));
+  return orNull(() => localStorage.getItem(KEY));
 }
 
 /**
@@ -40,7 +40,7 @@ export function stored() {
  * @returns {string | null} the value that was kept last
  */
 export function kept(name) {
-  return untaken.get(name) ?? guarded(() => localStorage.getItem(`assur.${name}`));
+  return untaken.get(name) ?? orNull(() => localStorage.getItem(`assur.${name}`));
 }
 
 /**
@@ -48,7 +48,7 @@ export function kept(name) {
  * @param {string} text
  */
 export function keep(name, text) {
-  guarded(() => localStorage.setItem(`assur.${name}`, text));
+  orNull(() => localStorage.setItem(`assur.${name}`, text));
 }
 
 /**
@@ -59,9 +59,9 @@ export function keep(name, text) {
 export function keepLesson(name, text) {
   const key = `assur.lesson.${name}`;
   const digest = lessonOf(key);
-  if (digest) guarded(() => forgetLessons(digest));
+  if (digest) orNull(() => forgetLessons(digest));
   const fits = fit(key, text);
-  if (guarded(() => localStorage.getItem(key)) === text) untaken.delete(`lesson.${name}`);
+  if (orNull(() => localStorage.getItem(key)) === text) untaken.delete(`lesson.${name}`);
   else untaken.set(`lesson.${name}`, text);
   if (lessonFits && !fits) sayUnfit();
   lessonFits = fits;
@@ -87,7 +87,7 @@ function lessonOf(key) {
 
 /** @param {string} text */
 export function putAside(text) {
-  guarded(() => localStorage.setItem(UNREAD, text));
+  orNull(() => localStorage.setItem(UNREAD, text));
 }
 
 /**
@@ -95,7 +95,7 @@ export function putAside(text) {
  * an older address. An address to which the reader navigates is not replaced.
  */
 export function takeUpAddress() {
-  guarded(() => {
+  orNull(() => {
     const [left, meant] = JSON.parse(sessionStorage.getItem(LEFT) ?? "[]");
     sessionStorage.removeItem(LEFT);
     const [entry] = performance.getEntriesByType("navigation");
@@ -108,12 +108,12 @@ export function takeUpAddress() {
  * Keeps every change in the browser's storage and in the address, but the input of a motion only when the page is left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
- * @param {(state: State) => boolean} sound whether the engine takes the state; a refused state is not kept
+ * @param {(state: State) => boolean} accepts whether the engine takes the state; a refused state is not kept
  * @param {boolean} ours whether the state is kept in the browser's storage; a page in a frame of another page keeps it in the address only
  * @param {(...what: ("picture" | "state" | "lesson" | "tab")[]) => void} unkept called when there is no room for an image, a state or answers in a lesson, and
  * once when another tab keeps its own mechanism instead of this one
  */
-export function persist(store, address, sound, ours, unkept) {
+export function persist(store, address, accepts, ours, unkept) {
   let timer = 0;
   let changed = false;
   let fitted = true;
@@ -124,7 +124,7 @@ export function persist(store, address, sound, ours, unkept) {
     clearTimeout(timer);
     timer = 0;
     const state = store.get();
-    if (!changed || !sound(state)) return;
+    if (!changed || !accepts(state)) return;
     changed = false;
     if (ours) {
       const fits = fit(KEY, toFile(withoutImage(state)));
@@ -140,14 +140,14 @@ export function persist(store, address, sound, ours, unkept) {
   };
   sayUnfit = ours ? () => unkept("lesson") : () => {};
   let alone = true;
-  const hear = (/** @type {StorageEvent} */ { key, newValue }) => {
+  const onStorage = (/** @type {StorageEvent} */ { key, newValue }) => {
     if (key === IMAGE) images.forget();
     const state = store.get();
     if (!alone || key !== KEY || newValue === null || !address.isOwn(state) || shows(newValue, state)) return;
     alone = false;
     unkept("tab");
   };
-  if (ours) addEventListener("storage", hear);
+  if (ours) addEventListener("storage", onStorage);
   store.subscribe((state, previous) => {
     changed = true;
     // A change of the input in motion is written only when the page is left.
@@ -156,7 +156,7 @@ export function persist(store, address, sound, ours, unkept) {
   });
   addEventListener("pagehide", () => {
     save();
-    if (location.href !== before) guarded(() => sessionStorage.setItem(LEFT, JSON.stringify([before, location.href])));
+    if (location.href !== before) orNull(() => sessionStorage.setItem(LEFT, JSON.stringify([before, location.href])));
   });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) save();
@@ -175,7 +175,7 @@ class KeptImage {
     if (image === this.#last) return true;
     this.#last = image;
     // The previous image would occupy the room for the new one.
-    guarded(() => localStorage.removeItem(IMAGE));
+    orNull(() => localStorage.removeItem(IMAGE));
     return image === "" || fit(IMAGE, image);
   }
 
@@ -206,7 +206,7 @@ function fit(key, text) {
  */
 function shows(text, state) {
   const rest = (/** @type {Partial<State>} */ { view, ...more }) => JSON.stringify(more);
-  return guarded(() => rest(JSON.parse(text)) === rest(withoutImage(state)));
+  return orNull(() => rest(JSON.parse(text)) === rest(withoutImage(state)));
 }
 
 /** @param {string} image */
@@ -220,7 +220,7 @@ function signOf(image) {
  */
 function withoutImage(state) {
   const { picture } = state;
-  return picture ? withFurther(state, { picture: { ...picture, image: signOf(picture.image) } }) : state;
+  return picture ? withExtras(state, { picture: { ...picture, image: signOf(picture.image) } }) : state;
 }
 
 /**
@@ -230,7 +230,7 @@ function withoutImage(state) {
 export function withImage(value) {
   const { picture, ...rest } = Object(value);
   if (!picture) return value;
-  const image = guarded(() => localStorage.getItem(IMAGE));
+  const image = orNull(() => localStorage.getItem(IMAGE));
   return image !== null && signOf(image) === picture.image ? { ...rest, picture: { ...picture, image } } : rest;
 }
 
@@ -239,7 +239,7 @@ export function withImage(value) {
  * @param {() => T} work
  * @returns {T | null} null if the work throws, as when the browser forbids storage
  */
-export function guarded(work) {
+export function orNull(work) {
   try {
     return work();
   } catch {

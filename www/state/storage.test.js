@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
 import { happen } from "assur/tests/window.js";
-import { withDocument, withFurther, withView } from "assur/state/state.js";
+import { withDocument, withExtras, withView } from "assur/state/state.js";
 import { Address } from "assur/state/address.js";
 import { keep, keepLesson, kept, persist } from "assur/state/storage.js";
 import { Store } from "assur/state/store.js";
@@ -66,7 +66,7 @@ test("a state that does not fit is said once; what was kept before stays", () =>
 test("a picture that does not fit is said, the state is kept without it", () => {
   const { told, change } = begin();
   room = JSON.stringify(rocker, null, 2).length + 1000;
-  change((state) => withFurther(titled("drawn")(state), { picture }));
+  change((state) => withExtras(titled("drawn")(state), { picture }));
   assert.deepEqual([told, texts.has("assur.image")], [["picture"], false]);
   assert.equal(JSON.parse(texts.get("assur.state")).document.title, "drawn");
 });
@@ -74,13 +74,13 @@ test("a picture that does not fit is said, the state is kept without it", () => 
 test("where neither state nor picture fits, both are said at once", () => {
   const { told, change } = begin();
   room = 100;
-  change((state) => withFurther(titled("drawn")(state), { picture }));
+  change((state) => withExtras(titled("drawn")(state), { picture }));
   assert.deepEqual(told, ["state picture"]);
 });
 
 test("an image that another tab has written over is written again with the next change", () => {
   const { change } = begin();
-  change((state) => withFurther(state, { picture }));
+  change((state) => withExtras(state, { picture }));
   texts.set("assur.image", "data:theirs");
   happen("storage", { key: "assur.image", newValue: "data:theirs" });
   change(titled("drawn"));
@@ -117,7 +117,7 @@ test("another tab that keeps its own mechanism is said once, where this one has 
 
 test("a picture behind a mechanism of the catalogue is the tab's own", () => {
   const { told, change } = begin();
-  change((state) => withFurther(state, { picture }));
+  change((state) => withExtras(state, { picture }));
   elsewhere(rocker);
   assert.deepEqual(told, ["tab"]);
 });

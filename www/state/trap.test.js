@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Engine } from "assur/engine.js";
 import * as module from "assur/pkg/assur_web.js";
-import { withFurther } from "assur/state/state.js";
+import { withExtras } from "assur/state/state.js";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { stateOf } from "assur/tests/engine.js";
 import { begin, exhaust } from "assur/tests/stack.js";
@@ -11,7 +11,7 @@ import { begin, exhaust } from "assur/tests/stack.js";
 begin();
 const engine = new Engine();
 const state = stateOf(engine, "crank-rocker");
-const shared = withFurther(state, { compared: { kind: state.kind, document: engine.catalogue.preset("class4-dwell").document } });
+const shared = withExtras(state, { compared: { kind: state.kind, document: engine.catalogue.preset("class4-dwell").document } });
 const INPUT = 0.5;
 const { palette, scale } = themeOf(engine.roles);
 const REQUEST = { width: 400, height: 300, palette, scale, ratio: 1, whole: false, only: "all", around: 0 };
@@ -116,10 +116,10 @@ for (const [name, call] of Object.entries({ chart: () => engine.chart(new Contex
   });
 }
 
-test("a simulator beside overflows, and what is compared comes again with the next state", (t) => {
+test("a scratch simulator overflows, and what is compared comes again with the next state", (t) => {
   quiet(t);
   engine.set(shared);
-  assert.throws(() => engine.beside((other) => {
+  assert.throws(() => engine.withScratchSimulator((other) => {
     other.set(state);
     exhaust();
     return other.at(INPUT);

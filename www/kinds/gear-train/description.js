@@ -8,19 +8,19 @@ import { Seen } from "assur/core/seen.js";
 const PAUSE = 700;
 
 export class TrainDescription {
-  #place = make("p", { id: "train-description", class: "unseen", "data-of": "gear-train" });
+  #element = make("p", { id: "train-description", class: "unseen", "data-of": "gear-train" });
   #shown = new Seen();
   #timer = 0;
 
   constructor() {
-    byId("mechanism-description", HTMLElement).after(this.#place);
+    byId("mechanism-description", HTMLElement).after(this.#element);
   }
 
   /** @param {Snapshot} snapshot */
   render({ summary, words, stale, withheld }) {
     if (this.#shown.same(summary, words, stale, withheld) || stale) return;
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => write(this.#place, told(summary, words, withheld)), PAUSE);
+    this.#timer = setTimeout(() => write(this.#element, speedsText(summary, words, withheld)), PAUSE);
   }
 }
 
@@ -29,7 +29,7 @@ export class TrainDescription {
  * @param {Snapshot["words"]} words
  * @param {ReadonlySet<string>} withheld
  */
-function told({ speeds, slips }, words, withheld) {
+function speedsText({ speeds, slips }, words, withheld) {
   const said = Object.fromEntries(Object.entries(speeds).map(([body, speed]) => [body, withheld.has(`train-${body}`) ? "?" : words.numbers.upTo(speed, 2)]));
   const parts = [words.text("told.train", said)];
   if (slips) parts.push(words.text("told.slipped", { sun: words.numbers.exact(slips[0]), ring: words.numbers.exact(slips[1]) }));

@@ -50,8 +50,8 @@ export class LoadView {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state: { document }, summary, words, problems, readouts, legible, stale, withheld } = snapshot;
-    if (legible && !stale && this.#account.open) this.#tell(readouts, words);
+    const { state: { document }, summary, words, problems, readouts, numbersDue, stale, withheld } = snapshot;
+    if (numbersDue && !stale && this.#account.open) this.#tell(readouts, words);
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(document, summary, words, stale, withheld, ...wrong)) return;
     const { load, limits, slips, halt, free } = summary;

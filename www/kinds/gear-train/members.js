@@ -11,25 +11,25 @@ import { edited } from "assur/state/state.js";
 const KINDS = Object.freeze(["none", "fan", "brush", "stirrer", "scraper", "blade", "propeller", "road_wheel"]);
 
 /** For each tool, the symbol of its torque and the role of its colour. */
-const PLACES = Object.freeze({ satellite: Object.freeze({ symbol: "T₇", role: "coupler" }), carrier: Object.freeze({ symbol: "T₈", role: "rocker" }) });
+const LINKS = Object.freeze({ satellite: Object.freeze({ symbol: "T₇", role: "coupler" }), carrier: Object.freeze({ symbol: "T₈", role: "rocker" }) });
 
 export class MembersView {
-  #places;
+  #rows;
   #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ store, drafts }) {
-    const put = (/** @type {"satellite" | "carrier"} */ place, /** @type {(member: Member | null) => Member | null} */ change) =>
-      store.update((state) => edited(state, "gear-train", ({ members }) => ({ members: { ...members, [place]: change(members?.[place] ?? null) } })));
-    this.#places = /** @type {("satellite" | "carrier")[]} */ (Object.keys(PLACES)).map((place) => {
-      const choice = new Choice(`members.${place}`, KINDS, (kind) => `member.${kind}`, (kind) => put(place, (member) => (
+    const put = (/** @type {"satellite" | "carrier"} */ link, /** @type {(member: Member | null) => Member | null} */ change) =>
+      store.update((state) => edited(state, "gear-train", ({ members }) => ({ members: { ...members, [link]: change(members?.[link] ?? null) } })));
+    this.#rows = /** @type {("satellite" | "carrier")[]} */ (Object.keys(LINKS)).map((link) => {
+      const choice = new Choice(`members.${link}`, KINDS, (kind) => `member.${kind}`, (kind) => put(link, (member) => (
         kind === "none" ? null : { kind: /** @type {Member["kind"]} */ (kind), torque: member?.torque ?? 0 })));
-      const field = `members.${place}.torque`;
-      const row = new NumberRow({ field, id: `torque-${place}`, ...PLACES[place] }, drafts, (torque) => put(place, (member) => member && { ...member, torque }));
-      return { place, choice, row, use: make("p", { class: "note member-use" }) };
+      const field = `members.${link}.torque`;
+      const row = new NumberRow({ field, id: `torque-${link}`, ...LINKS[link] }, drafts, (torque) => put(link, (member) => member && { ...member, torque }));
+      return { link, choice, row, use: make("p", { class: "note member-use" }) };
     });
     section("gear-train", "members.heading", "members", [
-      ...this.#places.flatMap(({ choice, use, row }) => [choice.element, use, row.element]),
+      ...this.#rows.flatMap(({ choice, use, row }) => [choice.element, use, row.element]),
       make("p", { class: "note", "data-t": "members.claims" }),
     ]);
   }
@@ -38,8 +38,8 @@ export class MembersView {
   render({ state: { document }, words, problems }) {
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(document.members, words, ...wrong)) return;
-    for (const { place, choice, use, row } of this.#places) {
-      const member = document.members?.[place];
+    for (const { link, choice, use, row } of this.#rows) {
+      const member = document.members?.[link];
       choice.show(member?.kind ?? "none");
       row.element.hidden = use.hidden = !member;
       if (member) write(use, words.text("members.use", { use: words.text(`use.${member.kind}`) }));

@@ -5,7 +5,7 @@ import { edited } from "assur/state/state.js";
 
 /** @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot */
 
-const PLACES = Object.freeze(/** @type {const} */ (["ground", "sun", "carrier", "ring"]));
+const OBSERVERS = Object.freeze(/** @type {const} */ (["ground", "sun", "carrier", "ring"]));
 
 export class ObserverView {
   /** @type {Map<string, HTMLInputElement>} */
@@ -13,11 +13,11 @@ export class ObserverView {
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ store }) {
-    const choices = PLACES.map((place) => {
-      const box = make("input", { id: `observer-${place}`, type: "radio", name: "observer", value: place });
-      box.addEventListener("change", () => store.update((state) => edited(state, "gear-train", () => ({ observer: place }))));
-      this.#boxes.set(place, box);
-      return make("label", { class: "check" }, [box, " ", make("span", { "data-t": `observer.${place}` })]);
+    const choices = OBSERVERS.map((observer) => {
+      const box = make("input", { id: `observer-${observer}`, type: "radio", name: "observer", value: observer });
+      box.addEventListener("change", () => store.update((state) => edited(state, "gear-train", () => ({ observer }))));
+      this.#boxes.set(observer, box);
+      return make("label", { class: "check" }, [box, " ", make("span", { "data-t": `observer.${observer}` })]);
     });
     section("gear-train", "observer.heading", "observer", [
       make("div", { class: "train-observers", role: "radiogroup", "data-t-label": "field.observer" }, choices),

@@ -41,7 +41,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
   const dwell = profile?.dwell;
   if (!band || !dwell || (plots?.[0] ?? plotted[0]) !== plotted[0]) return [];
   return panels.map((panel) => {
-    const value = (/** @type {number} */ phi) => attempt(() => engine.simulator.plotted(phi)).value?.[panel.order];
+    const value = (/** @type {number} */ input) => attempt(() => engine.simulator.plotted(input)).value?.[panel.order];
     return paintDwell(context, panel, dwell, cycle, value, words, theme);
   });
 }
@@ -52,7 +52,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
  * @param {Panel} panel
  * @param {NonNullable<Profile["dwell"]>} dwell
  * @param {{ start: number, end: number }} cycle
- * @param {(phi: number) => number | undefined} value of the plot's curve at a crank angle
+ * @param {(input: number) => number | undefined} value of the plot's curve at a crank angle
  * @param {Words} words
  * @param {Theme} theme
  * @returns {Box | null} box of the inset
@@ -65,7 +65,7 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
   context.globalAlpha = SHADE;
   // A dwell that crosses the end of the axis continues at the start of the axis.
   for (const shift of [-period, 0]) {
-    const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => across(panel, phi));
+    const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((input) => across(panel, input));
     if (right > left) context.fillRect(left, panel.top, right - left, panel.height);
   }
   context.globalAlpha = 1;
@@ -78,7 +78,7 @@ function paintDwell(context, panel, dwell, { start, end }, value, words, theme) 
  * @param {Panel} panel
  * @param {readonly [number, number]} arc to magnify
  * @param {readonly [number, number] | null} band range of the output in the inset; null for the range of the curve
- * @param {(phi: number) => number | undefined} value
+ * @param {(input: number) => number | undefined} value
  * @param {Words} words
  * @param {Theme} theme
  * @returns {Box | null}
@@ -208,7 +208,7 @@ export class CourseView {
   /**
    * @param {Profile} profile
    * @param {Snapshot["summary"]} summary
-   * @param {(phi: number) => string} turned
+   * @param {(input: number) => string} turned
    * @param {Words} words
    */
   #draw({ phases }, { cycle: { start, end }, plotted }, turned, words) {
@@ -219,7 +219,7 @@ export class CourseView {
       told.push(words.text("dwell.bar", { phase: words.text(`dwell.${kind}`), from: turned(from % period), to: turned(to % period) }));
       // A phase that crosses the end of the turn continues at the start of the turn.
       for (const shift of [-period, 0, period]) {
-        const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((phi) => (100 * (phi - start)) / period);
+        const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((input) => (100 * (input - start)) / period);
         if (right <= left) continue;
         bars.push(make("i", { class: kind, style: `left: ${left.toFixed(3)}%; width: ${(right - left).toFixed(3)}%; --accent: var(--role-${ROLES[kind]})` }));
       }

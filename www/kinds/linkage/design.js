@@ -181,11 +181,11 @@ export class DesignView {
     const worker = new Worker(import.meta.resolve("assur/kinds/linkage/design-worker.js"), { type: "module" });
     this.#worker = worker;
     const lost = () => {
-      if (worker === this.#worker) this.#hear({ problems: [{ code: "not_arrived" }] });
+      if (worker === this.#worker) this.#receive({ problems: [{ code: "not_arrived" }] });
     };
     worker.addEventListener("message", ({ data }) => {
       // Messages sent before the search was stopped are ignored.
-      if (worker === this.#worker) this.#hear(data);
+      if (worker === this.#worker) this.#receive(data);
     });
     worker.addEventListener("error", lost);
     compiledWasm().then((wasm) => worker.postMessage({ wasm, state, wishes })).catch(lost);
@@ -195,7 +195,7 @@ export class DesignView {
   }
 
   /** @param {{ progress?: Progress, problems?: readonly Problem[] }} said message from the worker */
-  #hear({ progress, problems }) {
+  #receive({ progress, problems }) {
     if (!progress) {
       this.#problems = problems ?? [];
       this.#finish(null);

@@ -61,7 +61,7 @@ export class EquationsView {
     const before = this.#snapshot;
     this.#snapshot = snapshot;
     // Numbers that change too fast to be read are not written. Another mechanism is shown at once.
-    if (snapshot.legible || before?.summary !== snapshot.summary || before?.words !== snapshot.words) this.#show();
+    if (snapshot.numbersDue || before?.summary !== snapshot.summary || before?.words !== snapshot.words) this.#show();
   }
 
   /**

@@ -92,10 +92,10 @@ export class LinkageRail {
     });
     for (const { element } of [...this.#rows, ...this.#further]) words.fill(element);
     this.#rates.replaceChildren(...this.#further.map(({ element }) => element));
-    for (const [place, isOfPoints] of /** @type {const} */ ([[this.#lengths, false], [this.#coordinates, true]])) {
+    for (const [container, isOfPoints] of /** @type {const} */ ([[this.#lengths, false], [this.#coordinates, true]])) {
       const rows = this.#rows.filter(({ field }) => field.startsWith("points") === isOfPoints);
-      place.replaceChildren(...rows.map(({ element }) => element));
-      if (place.parentElement) place.parentElement.hidden = rows.length === 0;
+      container.replaceChildren(...rows.map(({ element }) => element));
+      if (container.parentElement) container.parentElement.hidden = rows.length === 0;
     }
   }
 
@@ -113,8 +113,8 @@ export class LinkageRail {
     const symbol = lettered(plain, isOffset ? [point] : points);
     const by = (/** @type {readonly string[]} */ ends) => (isPoint ? name : calledBy(name, ends, words));
     const n = by(isOffset ? [toLine(point, line)] : kind === "length" ? [] : points);
-    const beside = symbol === plain ? n : isOffset ? between(line) : by([]);
-    const row = { field, id, key, symbol, n, name: beside, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
+    const shownName = symbol === plain ? n : isOffset ? between(line) : by([]);
+    const row = { field, id, key, symbol, n, name: shownName, role, slider: { min, max, step }, ...(kind === "corner" ? { unit: "°", decimals: 2 } : {}) };
     return new NumberRow(row, drafts, (value) => this.#change((input) => engine.simulator.setDimension(field, value, input), field));
   }
 }

@@ -70,8 +70,8 @@ function lines(snapshot) {
   const said = [];
   const own = plane ?? space;
   if (plane) said.push(words.text("geometry.plane", { rank: numbers.exact(plane.rank), w: asked(plane.mobility, "rank", snapshot) }));
-  const places = { rank: numbers.exact(space.rank), w: asked(space.mobility, "rank", snapshot), q: asked(space.redundant, "q", snapshot) };
-  said.push(words.text("geometry.space", places));
+  const values = { rank: numbers.exact(space.rank), w: asked(space.mobility, "rank", snapshot), q: asked(space.redundant, "q", snapshot) };
+  said.push(words.text("geometry.space", values));
   const right = own.mobility === mobility;
   said.push(words.text(right ? "geometry.agrees" : "geometry.differs", { counted: asked(mobility, "w", snapshot) }));
   const borne = [...(plane?.redundancies ?? []), ...(plane && plane.redundant > 0 ? [] : space.redundancies)];

@@ -81,14 +81,14 @@ export class PairsView {
 
   /**
    * @param {number} index
-   * @param {number} place index of the link among the links of the pair
+   * @param {number} end index of the link among the links of the pair
    * @param {string} link
    */
-  #join(index, place, link) {
+  #join(index, end, link) {
     this.#edit((document) => {
       const { pairs, cut } = document;
       const name = link === NEW ? newLink(document) : link;
-      const links = pairs[index].links.map((one, at) => (at === place ? name : one));
+      const links = pairs[index].links.map((one, at) => (at === end ? name : one));
       return { pairs: pairs.map((pair, at) => (at === index ? { ...pair, links } : pair)), cut: cut.filter((one) => !isOf(one, pairs[index].name)) };
     });
   }
@@ -113,7 +113,7 @@ export class PairsView {
       const field = `pairs[${index}].${part}.${axis}`;
       const input = numberField({ id: `pair-${part}-${axis}-${n}`, "data-t-label": label, "data-n": n });
       const box = new NumberBox(input, field, drafts, (value) => (
-        this.#put(index, (pair) => ({ ...pair, [part]: placed(pair[part], k, value, part === "at" && this.#planar.checked) }))
+        this.#put(index, (pair) => ({ ...pair, [part]: withCoordinate(pair[part], k, value, part === "at" && this.#planar.checked) }))
       ));
       return { part, k, box, field, element: make("label", { class: "pair-number" }, [make("b", {}, [axis]), input]) };
     }));
@@ -141,19 +141,19 @@ export class PairsView {
   }
 
   /**
-   * @param {HTMLElement} place
+   * @param {HTMLElement} container
    * @param {number} index
    * @param {Pair} pair
    * @param {Document} document
    * @param {Words} words
    */
-  #showLinks(place, index, pair, document, words) {
+  #showLinks(container, index, pair, document, words) {
     const all = [...new Set([document.ground, ...document.pairs.flatMap(({ links }) => links)])];
     const made = JSON.stringify([words.lang, all, pair.links.length]);
-    if (place.dataset.made !== made) {
-      place.dataset.made = made;
-      const focused = place.contains(window.document.activeElement) ? window.document.activeElement?.id : undefined;
-      place.replaceChildren(...pair.links.map((_, at) => {
+    if (container.dataset.made !== made) {
+      container.dataset.made = made;
+      const focused = container.contains(window.document.activeElement) ? window.document.activeElement?.id : undefined;
+      container.replaceChildren(...pair.links.map((_, at) => {
         const id = `pair-link-${index + 1}-${at + 1}`;
         const select = make("select", { id, class: "control", "aria-label": words.text("field.pairs.link", { n: String(index + 1), place: String(at + 1) }) }, [
           ...all.map((link) => make("option", { value: link }, [called(link, words)])), make("option", { value: NEW }, [words.text("pairs.new_link")]),
@@ -163,21 +163,21 @@ export class PairsView {
       }));
       if (focused) window.document.getElementById(focused)?.focus();
     }
-    [...place.querySelectorAll("select")].forEach((select, at) => (select.value = pair.links[at]));
+    [...container.querySelectorAll("select")].forEach((select, at) => (select.value = pair.links[at]));
   }
 
   /**
-   * @param {HTMLElement} place
+   * @param {HTMLElement} container
    * @param {string} n
    * @param {readonly string[]} known possible cuts of the pair
    * @param {Document} document
    * @param {Words} words
    */
-  #showCuts(place, n, known, { cut }, words) {
+  #showCuts(container, n, known, { cut }, words) {
     const made = JSON.stringify([words.lang, known]);
-    if (place.dataset.made !== made) {
-      place.dataset.made = made;
-      place.replaceChildren(...known.map((name, at) => {
+    if (container.dataset.made !== made) {
+      container.dataset.made = made;
+      container.replaceChildren(...known.map((name, at) => {
         const id = known.length > 1 ? `cut-${n}-${at + 1}` : `cut-${n}`;
         const box = make("input", { id, type: "checkbox", "data-cut": name });
         box.addEventListener("change", () => this.#edit((document) => (
@@ -186,7 +186,7 @@ export class PairsView {
         return make("label", { class: "check" }, [box, " ", known.length > 1 ? `✂ ${name}` : words.text("pairs.cut")]);
       }));
     }
-    for (const box of place.querySelectorAll("input")) box.checked = cut.includes(box.dataset.cut ?? "");
+    for (const box of container.querySelectorAll("input")) box.checked = cut.includes(box.dataset.cut ?? "");
   }
 }
 
@@ -205,8 +205,8 @@ function isOf(cut, pair) {
  * @returns {Pair} the pair changed to another kind, without its previous axis
  */
 function shaped({ name, links, at }, kind) {
-  const place = at ? { at } : {};
-  return { name, kind, links, ...place, ...(kind === "class" ? { freedoms: 1 } : {}), ...(kind === "screw" ? { pitch: 1 } : {}) };
+  const position = at ? { at } : {};
+  return { name, kind, links, ...position, ...(kind === "class" ? { freedoms: 1 } : {}), ...(kind === "screw" ? { pitch: 1 } : {}) };
 }
 
 /**
@@ -215,7 +215,7 @@ function shaped({ name, links, at }, kind) {
  * @param {number} value
  * @param {boolean} flat whether only x and y are kept
  */
-function placed(before, k, value, flat) {
+function withCoordinate(before, k, value, flat) {
   const numbers = [0, 0, 0].map((zero, i) => (i === k ? value : (before?.[i] ?? zero)));
   return /** @type {[number, number, number]} */ (flat ? numbers.slice(0, 2) : numbers);
 }

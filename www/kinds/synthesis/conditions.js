@@ -68,7 +68,7 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
   const rows = conditions.map(({ number, about, values, holds, truth }) => row([`(${number})`, about ?? ""].join(" ").trim(), valued(number, about, values, words), [holds, truth], words));
   const left = pair ? [row(words.text("conditions.pair"), pair.values.map((value) => numbers.short(value)).join("; "), [null, pair.holds], words)] : [];
   const judged = theorems.map(({ number, conditions: asked, truth }) => row(words.text("conditions.theorem", { n: String(number) }), words.text(JUDGED[`${asked} ${truth}`]), [asked, truth], words, asked && !truth));
-  const between = (ranges ?? []).map((range, i) => whole(`l${"₂₃"[i]} > 0`, range ? ends("conditions.range", range, words) : words.text("conditions.never")));
+  const between = (ranges ?? []).map((range, i) => rangeRow(`l${"₂₃"[i]} > 0`, range ? ends("conditions.range", range, words) : words.text("conditions.never")));
   const name = words.text("conditions.of", { n: String(k), coupler: numbers.angle(at, 3) });
   const heads = ["conditions.printed", "conditions.truth"].map((key) => make("th", { scope: "col" }, [words.text(key)]));
   return make("table", { class: "solutions conditions" }, [
@@ -76,7 +76,7 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
     make("thead", {}, [make("tr", {}, [make("td", { colspan: "2" }), ...heads])]),
     make("tbody", {}, [
       ...rows, ...left, ...judged, ...between,
-      whole(words.text("conditions.truth"), interval ? ends(interval[0] === interval[1] ? "conditions.single" : "conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
+      rangeRow(words.text("conditions.truth"), interval ? ends(interval[0] === interval[1] ? "conditions.single" : "conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
     ]),
   ]);
 }
@@ -112,7 +112,7 @@ function mark(holds, words) {
  * @param {string} said
  * @param {string} [kind]
  */
-function whole(name, said, kind = "range") {
+function rangeRow(name, said, kind = "range") {
   return make("tr", { class: kind }, [make("th", { scope: "row" }, [name]), make("td", { colspan: "3" }, [said])]);
 }
 

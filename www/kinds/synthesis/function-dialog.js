@@ -8,7 +8,7 @@ import { Refusal, attempt } from "assur/core/problem.js";
 import { formula } from "assur/kinds/synthesis/function.js";
 import { MAX_POSITIONS } from "assur/kinds/synthesis/positions.js";
 import { take } from "assur/state/change.js";
-import { alone, edited } from "assur/state/state.js";
+import { edited, withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/synthesis/function.js").Wanted} Wanted
@@ -70,7 +70,7 @@ export function openFunction(page) {
  */
 function made(form, { engine, store }) {
   const { wanted, count, even } = form.read();
-  const state = alone(edited(store.get(), "synthesis", () => ({ function: wanted })));
+  const state = withoutExtras(edited(store.get(), "synthesis", () => ({ function: wanted })));
   const positions = engine.functions.functionPositions(state, count, even);
   return { function: wanted, positions, free: false, member: null, solution: null, trial: null };
 }

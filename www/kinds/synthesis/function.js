@@ -43,13 +43,13 @@ export class FunctionView {
 
   /** @param {import("assur/kinds/synthesis/positions.js").Snapshot} snapshot */
   render({ state: { document: { function: wanted } }, summary: { function: error }, words }) {
-    const { document } = this.#model.good;
+    const { document } = this.#model.lastAccepted;
     // If no linkage has been found for this function, the drawn linkage may belong to another function.
     const isDrawn = "function" in document && document.function === wanted;
     if (this.#shown.same(wanted, isDrawn, error, words)) return;
     this.#there.hidden = !isDrawn || !wanted || !error;
     if (!isDrawn || !wanted || !error) return;
-    write(this.#said, said(wanted, error, words));
+    write(this.#said, errorText(wanted, error, words));
     const most = Math.abs(error.greatest?.[1] ?? 0);
     this.#plot.replaceChildren(path(`M0 ${HIGH / 2}H${WIDE}`, "line"), path(curve(error, wanted.x, most), "rocker"));
     const x = wanted.x.map((end) => words.numbers.short(end));
@@ -74,7 +74,7 @@ export function formula(of, words) {
  * @param {Error} error
  * @param {Words} words
  */
-function said({ of }, { greatest, complete }, words) {
+function errorText({ of }, { greatest, complete }, words) {
   const name = formula(of, words);
   if (!greatest) return words.text("function.unreached", { name });
   const [x, error] = greatest.map((value) => words.numbers.short(value));
@@ -94,9 +94,9 @@ function curve({ curve: samples }, [from, to], most) {
       pen = "M";
       return "";
     }
-    const place = `${pen}${((x - from) / (to - from)) * WIDE} ${(1 - error / (most || 1)) * (HIGH / 2)}`;
+    const segment = `${pen}${((x - from) / (to - from)) * WIDE} ${(1 - error / (most || 1)) * (HIGH / 2)}`;
     pen = "L";
-    return place;
+    return segment;
   }).join("");
 }
 

@@ -95,11 +95,11 @@ export class FamilyMap {
    * @param {NonNullable<Summary["family"]>["curve"]} curve
    */
   #curve({ l2, l3, verdicts }) {
-    const places = l2.map((length, i) => [length, l3[i]]);
-    for (let start = 0; start < places.length - 1; ) {
+    const points = l2.map((length, i) => [length, l3[i]]);
+    for (let start = 0; start < points.length - 1; ) {
       let end = start + 1;
-      while (end < places.length - 1 && verdicts[end] === verdicts[start]) end++;
-      this.#plane.line(places.slice(start, end + 1), { ...LOOKS[verdicts[start]], width: 3 });
+      while (end < points.length - 1 && verdicts[end] === verdicts[start]) end++;
+      this.#plane.line(points.slice(start, end + 1), { ...LOOKS[verdicts[start]], width: 3 });
       start = end;
     }
   }

@@ -4,7 +4,7 @@ import { make } from "assur/core/dom.js";
 
 /**
  * @typedef {import("assur/types/web.js").PlaneSummary} Shade
- * @typedef {readonly number[]} Place a point of the plane: the horizontal length and the vertical one
+ * @typedef {readonly number[]} Point of the plane: the horizontal length and the vertical one
  */
 
 /** Room for the numbers of the axes, in pixels. */
@@ -81,8 +81,8 @@ export class Plane {
   }
 
   /**
-   * @param {Place} place
-   * @returns {[number, number]} position of the place, in pixels
+   * @param {Point} point
+   * @returns {[number, number]} the pixel of the point
    */
   at([right, up]) {
     const { width, height } = this.#surface;
@@ -111,27 +111,27 @@ export class Plane {
   }
 
   /**
-   * @param {readonly Place[]} places
+   * @param {readonly Point[]} points
    * @param {{ role: string, dash?: readonly number[], width?: number }} look
    */
-  line(places, { role, dash = [], width = 1 }) {
+  line(points, { role, dash = [], width = 1 }) {
     const { context } = this.#surface;
     context.strokeStyle = this.#theme.colours[role];
     context.lineWidth = width * this.#theme.weight;
     context.setLineDash([...dash]);
-    this.#trace(places.map((place) => this.at(place)));
+    this.#trace(points.map((point) => this.at(point)));
     context.setLineDash([]);
     context.lineWidth = this.#theme.weight;
   }
 
   /**
-   * @param {Place} place
+   * @param {Point} point
    * @param {string} role
    */
-  dot(place, role) {
+  dot(point, role) {
     const { context } = this.#surface;
     const { colours, weight } = this.#theme;
-    const [x, y] = this.at(place);
+    const [x, y] = this.at(point);
     context.beginPath();
     context.arc(x, y, DOT * weight, 0, 2 * Math.PI);
     context.fillStyle = colours[role];

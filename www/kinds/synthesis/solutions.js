@@ -85,14 +85,14 @@ export class SolutionsView {
    * @param {Words} words
    */
   #sayOthers({ printed, weighted }, words) {
-    for (const [place, key, found, least] of /** @type {const} */ ([
+    for (const [element, key, found, least] of /** @type {const} */ ([
       [this.#printed, "solutions.printed", printed, printed?.least], [this.#weighted, "solutions.weighted", weighted, weighted?.sum],
     ])) {
-      place.hidden = !found;
+      element.hidden = !found;
       if (!found || least === undefined) continue;
       const said = (/** @type {number} */ value) => words.numbers.short(value);
       const [l1, l2, l3] = found.lengths.map(said);
-      write(place, words.text(key, { l1, l2, l3, least: said(least), drawn: said(found.drawn) }));
+      write(element, words.text(key, { l1, l2, l3, least: said(least), drawn: said(found.drawn) }));
     }
   }
 

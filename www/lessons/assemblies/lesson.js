@@ -19,7 +19,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     formula: "(x_C − x_B)² + (y_C − y_B)² = l²_BC\n(x_C − x_D)² + (y_C − y_D)² = l²_DC",
     shows: [{ preset: "crank-rocker", at: home, overlays: OVERLAYS }],
     controls: SECTION,
-    question: { whole: true, within: 0, answer: real },
+    question: { integer: true, within: 0, answer: real },
   },
   {
     id: "triad",
@@ -34,7 +34,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     formula: "14 = r + 2c",
     shows: [{ name: "arc", preset: "ten", at: home, overlays: OVERLAYS }, { name: "zero", preset: "class4-dwell", at: home, overlays: OVERLAYS }],
     controls: SECTION,
-    question: { whole: true, within: 0, answer: real },
+    question: { integer: true, within: 0, answer: real },
   },
   {
     id: "fold",

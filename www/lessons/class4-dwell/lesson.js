@@ -19,7 +19,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "structure",
     formula: "W = 3n − 2P₁",
     shows: [{ preset: PRESET, play: true, overlays: ["traces", "groups"] }],
-    question: { whole: true, within: 0, answer: ({ counts }) => counts.lower, places: ({ counts: { links, mobility } }) => ({ links, mobility }) },
+    question: { integer: true, within: 0, answer: ({ counts }) => counts.lower, places: ({ counts: { links, mobility } }) => ({ links, mobility }) },
   },
   {
     id: "groups",
@@ -67,7 +67,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     lends: ["equations"],
     // With revolute pairs only, the number of equations is the number of coordinates of moving points less the mobility.
     question: {
-      whole: true, within: 0, answer: ({ equations }) => equations.length,
+      integer: true, within: 0, answer: ({ equations }) => equations.length,
       places: ({ equations, counts: { mobility } }) => ({ coordinates: equations.length + mobility, mobility }),
     },
   },

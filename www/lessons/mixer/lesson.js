@@ -15,7 +15,7 @@ export const LESSON = Object.freeze({ kind: "mixer", steps: [
     id: "machine",
     formula: "W = 3n − 2P₁ − P₂",
     shows: [{ preset: "mixer-a", play: true }],
-    question: { whole: true, within: 0, answer: ({ counts }) => counts.links, places: ({ counts }) => counts },
+    question: { integer: true, within: 0, answer: ({ counts }) => counts.links, places: ({ counts }) => counts },
   },
   {
     id: "ratio",

@@ -42,7 +42,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     shows: [{ preset: "mobility-2c" }],
     controls: ["method"],
     // The answer is the number of cuts needed to open all contours.
-    question: { whole: true, within: 0, answer: ({ counts }) => pairs(counts) - counts.links, places: ({ counts }) => ({ pairs: pairs(counts), links: counts.links }) },
+    question: { integer: true, within: 0, answer: ({ counts }) => pairs(counts) - counts.links, places: ({ counts }) => ({ pairs: pairs(counts), links: counts.links }) },
   },
   {
     id: "moving",
@@ -91,7 +91,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     shows: [{ preset: "mobility-2a" }],
     controls: ["replace"],
     readouts: ["scheme-q"],
-    question: { whole: true, within: 0, answer: ({ mended }) => mended?.list[0]?.length },
+    question: { integer: true, within: 0, answer: ({ mended }) => mended?.list[0]?.length },
   },
   {
     id: "practice",

@@ -102,7 +102,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     shows: [{ preset: "many", at: first }],
     controls: ["family", "solutions"],
     readouts: ["synthesis-gap"],
-    question: { whole: true, within: 0, answer: ({ solutions, from }) => (from === "found" ? solutions.length : undefined) },
+    question: { integer: true, within: 0, answer: ({ solutions, from }) => (from === "found" ? solutions.length : undefined) },
   },
   {
     id: "motion",
