@@ -151,7 +151,8 @@ export class Engine {
   }
 
   /**
-   * Makes a call of the engine. If it fails without problems, the instance is broken, and a new one takes over.
+   * Makes a call of the engine. If it fails without problems, the instance is broken, and a new one takes over. This also
+   * holds if the second part did not load: the exception left the first part in the middle of a call.
    * @template T
    * @param {() => T} call
    * @returns {T}
@@ -162,11 +163,10 @@ export class Engine {
     } catch (thrown) {
       if (problemsOf(thrown)) throw thrown;
       console.error(thrown);
-      const loaded = !(thrown instanceof NotLoaded);
-      this.trapped = loaded;
+      this.trapped = !(thrown instanceof NotLoaded);
       this.#compared.takeAnew();
       this.#renew();
-      throw new Refusal([{ code: loaded ? "trapped" : "not_arrived" }]);
+      throw new Refusal([{ code: this.trapped ? "trapped" : "not_arrived" }]);
     }
   }
 

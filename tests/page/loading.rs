@@ -89,35 +89,49 @@ const LOSE: &str = "
         return open.call(this, method, isLost(url) ? other : url, ...more);
     };";
 
-/// The page works with the first part of its engine. A mechanism that needs the rest is refused while the rest does not
-/// load, and shown once it does.
+/// The page works with the first part of its engine. A mechanism that needs the second is refused while that part does not
+/// load, and shown once it does. A kept mechanism is not given up for it.
 #[tokio::test]
-async fn the_rest_of_the_engine_may_come_later_or_not_at_all() {
+async fn the_second_part_may_come_late_or_never() {
+    const LOST: &str = "Part of the page did not load.";
+    const CLOSE: &str = "document.getElementById('notice-close').click();";
+    const CLASS4: &str = "location.hash = ''; location.hash = '#class4-dwell';";
+    const KEPT: &str = "return localStorage.getItem('assur.state')";
     let page = Page::open().await;
     page.before(LOSE).await;
     page.anew(home()).await;
+    let lost = async || page.text("notice-text").await.contains(LOST);
+    page.until("the reason", lost).await;
+    page.ask(CLOSE).await;
     let title = page.ask("return document.title").await;
-    for (lost, degrees, angle) in [("gone", "75", 75.0), ("damaged", "100", 100.0)] {
-        page.ask(&format!("lost = '{lost}'; location.hash = '#class4-dwell'"))
-            .await;
-        page.until("the reason", async || {
-            let told = page.text("notice-text").await;
-            told.contains("Part of the page did not load.")
-        })
-        .await;
+    for (how, degrees, angle) in [("gone", "75", 75.0), ("damaged", "100", 100.0)] {
+        page.ask(&format!("lost = '{how}'; {CLASS4}")).await;
+        page.until("the reason", lost).await;
         assert_eq!(page.ask("return document.title").await, title);
         page.stop_at(degrees).await;
         assert!((page.value("out-input").await - angle).abs() < 1e-6);
-        page.ask("document.getElementById('notice-close').click(); location.hash = ''")
-            .await;
+        page.ask(CLOSE).await;
     }
-    page.ask("lost = null; location.hash = '#class4-dwell'")
-        .await;
+    page.ask("lost = null").await;
     page.until("the Class IV mechanism", async || {
+        page.ask(CLASS4).await;
         page.ask("return document.title").await != title
     })
     .await;
-    assert_eq!(page.text("notice-text").await, "");
+    page.until("the mechanism to be kept", async || {
+        page.ask(KEPT).await.to_string().contains("class4-dwell")
+    })
+    .await;
+
+    let kept = page.ask(KEPT).await;
+    page.driver.refresh().await.unwrap();
+    page.until("the page to say that it cannot start", async || {
+        page.ask("return document.getElementById('failed').checkVisibility()")
+            .await
+            == json!(true)
+    })
+    .await;
+    assert_eq!(page.ask(KEPT).await, kept);
     // The browser names the files that it did not get, and the engine the calls that failed.
     page.said().await;
     page.close().await;

@@ -5,6 +5,7 @@ import { copyLink, filePicker, saveFile } from "assur/app/share.js";
 import { CUT, LONG, LOST } from "assur/app/notices.js";
 import { SPEEDS } from "assur/controls/transport.js";
 import { attempt } from "assur/core/problem.js";
+import { compiledWasm } from "assur/core/wasm.js";
 import { inputNow, take } from "assur/state/change.js";
 import { INPUT } from "assur/state/drafts.js";
 import { turned } from "assur/state/player.js";
@@ -48,8 +49,9 @@ function fileCommands(page) {
    * @param {(part: Part) => void} act
    */
   const later = async (load, act) => {
-    const part = await awaited(load()).catch(() => null);
-    if (part) act(part);
+    // These parts also need the second part of the engine.
+    const loaded = await awaited(Promise.all([load(), compiledWasm()])).catch(() => null);
+    if (loaded) act(loaded[0]);
     else notices.tell(LOST);
   };
   return {

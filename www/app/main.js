@@ -14,10 +14,10 @@ async function start() {
   const framed = new URLSearchParams(search).has("embed") ? import("assur/embed/embed.js") : null;
   const lang = (framed ? null : chosenLanguage()) ?? document.documentElement.lang;
   const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
+  // The mechanism of a first visit needs only the first part of the engine; others may need both.
+  const isFirst = addressed(location.href) === "" && (framed !== null || stored() === null);
   // Usually the state has this language, so that no other words need to be loaded.
-  // The first preset needs only the first part of the engine; other states may need all of it.
-  const rest = addressed(location.href) === "" && stored() === null ? null : compiledWasm().catch(() => null);
-  const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang), rest]);
+  const [engine, part] = await Promise.all([Engine.load(), framed, Words.load(lang), isFirst ? null : compiledWasm()]);
   const embedding = part && new part.Embedding(search);
   const habits = embedding?.habits(reader) ?? reader;
   const found = await open(engine, habits);

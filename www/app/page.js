@@ -117,11 +117,10 @@ export class Page {
     }));
   }
 
-  /** Loads the rest of the engine, then the worksheet, because the browser's print command cannot wait for it, and the often-used gallery. */
+  /** Loads the second part of the engine, then the worksheet, because the browser's print command cannot wait for it, and the often-used gallery. */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
-    // If it does not load now, it is loaded by the first call that needs it.
-    await compiledWasm().catch(() => null);
+    await compiledWasm().catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);

@@ -12,6 +12,7 @@ import { Measures } from "assur/controls/measures.js";
 import { ProblemView } from "assur/controls/problems.js";
 import { Switches } from "assur/controls/switches.js";
 import { Transport } from "assur/controls/transport.js";
+import { compiledWasm } from "assur/core/wasm.js";
 import { Bringing } from "assur/core/bringing.js";
 import { byId, setData } from "assur/core/dom.js";
 import { HERE, LATER } from "assur/kinds/index.js";
@@ -154,7 +155,8 @@ export class Views {
   /** Loads the description for screen readers. Most visits begin in motion and do not need it yet. */
   #describe() {
     this.#bringing.bring("description", async () => {
-      const { Description } = await import("assur/app/description.js");
+      // The description names the assembly, for which the engine needs its second part.
+      const [{ Description }] = await Promise.all([import("assur/app/description.js"), compiledWasm()]);
       this.#views.push(new Description(this.#page.chart, this.#opened));
     });
   }

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import { isDivided, start } from "assur/core/parts.js";
+import { isDivided, matching, start } from "assur/core/parts.js";
 import { Engine } from "assur/engine.js";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { initialState } from "assur/state/state.js";
@@ -73,7 +73,7 @@ test("if the rest does not load, its calls are refused, and the engine works on"
   const engine = new Engine();
   const { home } = engine.set(stateOfFirstView(engine));
   const before = engine.at(home).frame;
-  for (const fail of [() => null, ofAnotherBuild, () => { throw new Error("no connection"); }]) {
+  for (const fail of [() => null, () => matching(ofAnotherBuild(), first), () => { throw new Error("no connection"); }]) {
     getSecond = fail;
     assert.throws(() => engine.set(CLASS4), refusal("not_arrived"));
     assert.equal(engine.trapped, false);

@@ -1,11 +1,14 @@
-// The engine as compiled wasm, for the page and its workers, in two parts: what a first view needs, and the rest.
+// The engine as compiled wasm, for the page and its workers, in two parts: the functions of a first view, and all others.
 import { fetched } from "assur/core/fetched.js";
-import { isDivided, start } from "assur/core/parts.js";
+import { isDivided, matching, start } from "assur/core/parts.js";
 
 /** @typedef {import("assur/core/parts.js").Parts} Parts */
 
 const FIRST = "assur/pkg/first.wasm";
 const SECOND = "assur/pkg/second.wasm";
+
+/** Shortest time between blocking requests, in milliseconds. */
+const PAUSE = 5000;
 
 /** @type {Map<string, Promise<WebAssembly.Module>>} parts that are loading or have loaded */
 const parts = new Map();
@@ -13,15 +16,19 @@ const parts = new Map();
 /** @type {WebAssembly.Module | null} the second part, once it has loaded */
 let second = null;
 
+/** Time of the last blocking request. */
+let asked = -Infinity;
+
 /** Starts the engine on the page with its first part. */
 export async function startEngine() {
-  await start(await part(FIRST), () => (second ??= loadedAtOnce(SECOND)));
+  const first = await part(FIRST);
+  await start(first, () => (second ??= matching(loadedBlocking(SECOND), first)));
 }
 
 /** @returns {Promise<Parts>} the engine, compiled once for the page and its workers; after a failure, the next call tries again */
 export async function compiledWasm() {
   const first = await part(FIRST);
-  if (isDivided(first)) second ??= await part(SECOND);
+  if (isDivided(first)) second ??= matching(await part(SECOND), first);
   return { first, second };
 }
 
@@ -43,16 +50,21 @@ async function compile(response) {
 }
 
 /**
- * Loads a part while the page waits, for a call that needs it before it has loaded.
+ * Loads a part while the page stands still, for a call that needs it before it has loaded.
  * @param {string} name
  * @returns {WebAssembly.Module}
  */
-function loadedAtOnce(name) {
+function loadedBlocking(name) {
+  if (performance.now() < asked + PAUSE) throw new Error(`${name} has just failed to load`);
+  asked = performance.now();
   const request = new XMLHttpRequest();
   request.open("GET", import.meta.resolve(name), false);
-  // A request that the page waits for gives a text. In this character set, each byte is the low byte of a character.
+  // A blocking request gives only text. In this character set, the low byte of each character is a byte of the file.
   request.overrideMimeType("text/plain; charset=x-user-defined");
   request.send();
-  if (request.status !== 200) throw new Error(`${request.status} ${name}`);
-  return new WebAssembly.Module(Uint8Array.from(request.responseText, (character) => character.charCodeAt(0)));
+  const { status, responseText: text } = request;
+  if (status !== 200) throw new Error(`${status} ${name}`);
+  const bytes = new Uint8Array(text.length);
+  for (let at = 0; at < text.length; at++) bytes[at] = text.charCodeAt(at);
+  return new WebAssembly.Module(bytes);
 }

@@ -25,7 +25,8 @@ export function withAssembled(summary, simulator) {
   let found;
   return Object.defineProperty(summary, "assembled", { get: () => {
     if (found === undefined && last.get(simulator) === summary) {
-      const here = attempt(() => simulator.assemblies(home)).value;
+      const { value: here, problems } = attempt(() => simulator.assemblies(home));
+      if (problems.some(({ code }) => code === "not_arrived")) return null;
       found = here ? { number: (here.shown ?? 0) + 1, count: here.all.length, complete: here.whole } : null;
     }
     return found ?? null;

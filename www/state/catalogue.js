@@ -1,4 +1,5 @@
 // The catalogue of mechanisms, and its entry for a state.
+import { attempt } from "assur/core/problem.js";
 import { contains } from "assur/state/state.js";
 
 /**
@@ -12,8 +13,8 @@ export class Catalogue {
   #presets = null;
 
   /**
-   * @param {readonly Preset[]} mixers the mixers, which come first; a first view needs no others
-   * @param {() => readonly Preset[]} all gives all presets
+   * @param {readonly Preset[]} mixers the mixers, which come first; they are in the first part of the engine
+   * @param {() => readonly Preset[]} all gives all presets; it needs the second part
    */
   constructor(mixers, all) {
     this.mixers = mixers;
@@ -34,15 +35,17 @@ export class Catalogue {
 
   /**
    * @param {Pick<State, "kind" | "document">} state
-   * @returns {Preset | undefined} preset that `origin` names; without this field, the preset with the same dimensions
+   * @returns {Preset | undefined} preset that `origin` names; without this field, the preset with the same dimensions. If the second
+   * part of the engine has not loaded, only mixers are found
    */
   presetOf({ kind, document }) {
-    if ("origin" in document) return this.preset(document.origin ?? "");
+    const presets = () => attempt(() => this.presets).value ?? [];
+    if ("origin" in document) return presets().find(({ id }) => id === document.origin);
     const isOf = (/** @type {Preset} */ preset) => {
       const { tracers, ...dimensions } = /** @type {{ tracers?: unknown }} */ (preset.document);
       return preset.kind === kind && contains(document, dimensions);
     };
-    return this.mixers.find(isOf) ?? this.presets.find(isOf);
+    return this.mixers.find(isOf) ?? presets().find(isOf);
   }
 
   /**

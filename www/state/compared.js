@@ -1,4 +1,5 @@
 // Mechanism A, compared with the shown mechanism B. A has its own simulator and the input of B, and is never edited.
+import { NotLoaded } from "assur/core/parts.js";
 import { problemsOf } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
 import { byName } from "assur/state/readouts.js";
@@ -33,7 +34,7 @@ export function discard(simulator) {
 export class Compared {
   /** @type {Simulator | null} simulator of A, if A can be shown */
   simulator = null;
-  /** Whether A's simulator has trapped, which makes the instance of the engine unusable. */
+  /** Whether a call of A's simulator has broken off, which makes the instance of the engine unusable. */
   broken = false;
   #newSimulator;
   #seen = new Seen();
@@ -131,7 +132,9 @@ export class Compared {
   #noteBreak(thrown) {
     if (problemsOf(thrown)) return;
     console.error(thrown);
-    this.hide();
+    // A that needs a part of the engine that has not loaded is tried again with the next state.
+    if (thrown instanceof NotLoaded) this.takeAnew();
+    else this.hide();
     this.broken = true;
   }
 

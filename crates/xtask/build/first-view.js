@@ -13,7 +13,7 @@ const context = new Proxy({}, { get: () => () => ({ width: 1 }), set: () => true
 
 const [{ kind, document }] = mixers();
 const simulator = new Simulator();
-// The view of the page names what it lacks.
+// The view of the page has these fields even if they are empty.
 const { home } = simulator.set({ format: 2, kind, document, view: { ...defaultView(), against: null, lesson: null } });
 simulator.readoutNames();
 simulator.labelNames();

@@ -4,11 +4,11 @@ import { gzipSync } from "node:zlib";
 import { dataAddress, text } from "./files.js";
 import { Page } from "./page.js";
 
-/** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages, a part of the engine. */
+/** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages, the second part of the engine. */
 const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$|^pkg\/second\.wasm$/;
 
-/** Name of the engine on the page. */
-const ENGINE = "pkg/first.wasm";
+/** Name by which the page loads the first part of the engine. Here it is the whole engine. */
+const FIRST = "pkg/first.wasm";
 
 /** What is three times as small packed: the engine, and tables, most of them in four languages. */
 const PACKED = /\.(wasm|json)$/;
@@ -28,7 +28,7 @@ export function single(built, index, engine) {
     if (OUTSIDE.test(name) || (name.endsWith(".css") && !name.includes("/"))) continue;
     imports[`assur/${name}`] = PACKED.test(name) ? packed(content) : dataAddress(name, content);
   }
-  imports[`assur/${ENGINE}`] = packed(engine);
+  imports[`assur/${FIRST}`] = packed(engine);
   page.setImportMap(imports);
   return page.text();
 }

@@ -20,14 +20,14 @@ const IMPORTS: &str = "\"./assur_web_bg.js\": import0,";
 /// The import of the first part that loads the second.
 const LOAD: &str = "second: { load: () => second.load() },";
 /// The function behind this import. The page replaces it.
-const LOADING: &str = "
+const LOADER: &str = "
 export const second = {
     load() {
         throw new Error(\"nothing loads the second part of the engine\");
     },
 };
 ";
-const LOADING_TYPE: &str = "
+const LOADER_TYPE: &str = "
 /** Loads the second part of the module, if the module is divided. */
 export const second: { load(): void };
 ";
@@ -76,7 +76,7 @@ fn bind(workspace: &Workspace, program: &Path, wasm: &Path) -> Result<()> {
     run(bindgen, "writing the bindings")
 }
 
-/// Divides the module into two parts. The functions that `build/first-view.js` finds in use are the first.
+/// Divides the module into two parts. The first holds the functions that the calls of `build/first-view.js` use.
 fn divide(workspace: &Workspace) -> Result<()> {
     let Workspace { shell, root, .. } = workspace;
     let engine = workspace.target.join("engine");
@@ -98,9 +98,9 @@ fn divide(workspace: &Workspace) -> Result<()> {
         "the bindings do not list their imports as expected"
     );
     let text = text.replace(IMPORTS, &format!("{IMPORTS} {LOAD}"));
-    shell.write_file(script, text + LOADING)?;
+    shell.write_file(script, text + LOADER)?;
     let text = shell.read_file(&types)?;
-    shell.write_file(types, text + LOADING_TYPE)?;
+    shell.write_file(types, text + LOADER_TYPE)?;
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! Contents of a module, as far as its division needs them.
+//! What the division reads of a module.
 
 use std::collections::BTreeSet;
 
@@ -20,7 +20,7 @@ pub(super) struct Contents<'a> {
     pub(super) memories: Vec<MemoryType>,
     pub(super) globals: Vec<GlobalType>,
     /// Functions that are exported or in a table.
-    pub(super) reachable: BTreeSet<u32>,
+    pub(super) entries: BTreeSet<u32>,
 }
 
 impl<'a> Contents<'a> {
@@ -72,7 +72,7 @@ impl<'a> Contents<'a> {
                 for export in exports {
                     let export = export?;
                     if export.kind == ExternalKind::Func {
-                        self.reachable.insert(export.index);
+                        self.entries.insert(export.index);
                     }
                 }
             }
@@ -82,7 +82,7 @@ impl<'a> Contents<'a> {
                         bail!("a table holds more than functions");
                     };
                     for function in functions {
-                        self.reachable.insert(function?);
+                        self.entries.insert(function?);
                     }
                 }
             }
@@ -108,7 +108,7 @@ impl<'a> Contents<'a> {
                 Operator::Call { function_index } | Operator::ReturnCall { function_index } => {
                     called.push(function_index)
                 }
-                // Each part would need segments of its own.
+                // The second part has no segments.
                 Operator::RefFunc { .. }
                 | Operator::MemoryInit { .. }
                 | Operator::DataDrop { .. }

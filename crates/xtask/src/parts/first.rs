@@ -1,4 +1,5 @@
-//! The first part of a divided module: all sections of the whole module, but functions of the second part are stubs.
+//! The first part of a divided module: the whole module, with stubs in place of those functions of the second part that
+//! it may call.
 
 use std::convert::Infallible;
 

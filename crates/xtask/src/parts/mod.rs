@@ -6,7 +6,7 @@
 //! stub whose place in the table is empty first calls the import `second.load`, which instantiates the second part.
 
 use std::collections::BTreeSet;
-use std::hash::{DefaultHasher, Hasher as _};
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 
 use anyhow::Result;
 use wasm_encoder::reencode::Reencode as _;
@@ -23,7 +23,7 @@ mod first;
 mod marked;
 mod second;
 
-/// Name of the custom section that is the same in both parts of a module, and differs between modules.
+/// Name of the custom section with the hash of the whole module and its division, the same in both parts.
 const BUILD: &str = "build";
 
 /// A module whose export `called.N` is a global that is 1 if function N has been called.
@@ -40,7 +40,7 @@ pub(crate) fn divided(wasm: &[u8], first: &BTreeSet<u32>) -> Result<[Vec<u8>; 2]
     let contents = Contents::read(wasm)?;
     let division = Division::new(&contents, first)?;
     let mut hasher = DefaultHasher::new();
-    hasher.write(wasm);
+    (wasm, first).hash(&mut hasher);
     let build = hasher.finish().to_le_bytes();
 
     let mut parts = [Module::new(), Module::new()];
@@ -71,22 +71,18 @@ struct Division {
 
 impl Division {
     fn new(contents: &Contents, first: &BTreeSet<u32>) -> Result<Self> {
-        let (mut called_by_first, mut called_by_second) =
-            (contents.reachable.clone(), BTreeSet::new());
+        let (mut entered, mut called_by_second) = (contents.entries.clone(), BTreeSet::new());
         let (first, second): (Vec<u32>, Vec<u32>) = contents
             .defined()
             .partition(|function| first.contains(function));
-        for (functions, called) in [
-            (&first, &mut called_by_first),
-            (&second, &mut called_by_second),
-        ] {
+        for (functions, called) in [(&first, &mut entered), (&second, &mut called_by_second)] {
             for function in functions {
                 called.extend(contents.called(*function)?);
             }
         }
         let is_second = |function: &u32| second.binary_search(function).is_ok();
         Ok(Self {
-            stubs: called_by_first.into_iter().filter(is_second).collect(),
+            stubs: entered.into_iter().filter(is_second).collect(),
             shared: called_by_second
                 .into_iter()
                 .filter(|function| !is_second(function))
@@ -109,8 +105,8 @@ impl Division {
     }
 }
 
-/// New numbers of functions, by their numbers in the whole module. A function that is not in the order has none: its
-/// number is beyond all others.
+/// New numbers of functions, by their numbers in the whole module. In the order, `None` takes a number for a function that
+/// the whole module lacks. A function that is not in the order gets `u32::MAX`, which no module accepts.
 fn numbered(count: usize, order: impl Iterator<Item = Option<u32>>) -> Vec<u32> {
     let mut numbers = vec![u32::MAX; count];
     for (new, old) in (0..).zip(order) {
