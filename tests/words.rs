@@ -280,7 +280,11 @@ fn lessons_have_their_words_and_no_more() {
                 .map(|rest| rest.split('"').next().unwrap());
             expected.extend(names.map(|name| format!("{id}.show.{name}")));
             let integer = words.contains_key(&format!("{id}.right.other"));
-            assert_eq!(step.contains("integer: true"), integer, "{name}: {id}.right");
+            assert_eq!(
+                step.contains("integer: true"),
+                integer,
+                "{name}: {id}.right"
+            );
         }
         assert!(
             (3..=16).contains(&script.matches("    id: \"").count()),
