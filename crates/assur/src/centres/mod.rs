@@ -133,6 +133,7 @@ impl Mechanism {
 mod tests {
     use super::*;
     use crate::linkage::LinkageSpec;
+    use crate::linkage::samples::slider_crank;
     use crate::motion::Motion;
 
     /// The centre of two bodies in the drawn pose, by Kennedy's theorem and from velocities; `""` is the frame.
@@ -205,17 +206,7 @@ mod tests {
     /// slide through A.
     #[test]
     fn a_crank_at_a_right_angle_to_the_slide_moves_the_rod_without_turning_it() {
-        let slider_crank = LinkageSpec::default()
-            .point("A", 0.0, 0.0)
-            .point("B", 0.0, 3.0)
-            .point("C", 4.0, 0.0)
-            .point("E", 9.0, 0.0)
-            .fixed(&["A", "E"])
-            .bar("crank", &["A", "B"])
-            .bar("rod", &["B", "C"])
-            .bar("slider", &["C"])
-            .slide("slider", "C", "frame", ["A", "E"])
-            .crank("crank");
+        let slider_crank = slider_crank([[0.0, 3.0], [4.0, 0.0]]);
         check(&slider_crank, ["rod", ""], Vector::y(), false);
         check(&slider_crank, ["slider", ""], Vector::y(), false);
         check(

@@ -103,7 +103,7 @@ mod tests {
 
     use super::*;
     use crate::curvature::Curvature;
-    use crate::linkage::LinkageSpec;
+    use crate::linkage::samples::slider_crank;
     use crate::motion::Motion;
 
     /// A wheel of radius 1 that rolls on the x-axis: the pole is the point of contact, the inflection pole the centre
@@ -134,17 +134,7 @@ mod tests {
     #[test]
     fn a_slider_crank_in_a_dead_centre_has_no_ball_point() {
         for (crank, rod) in [(1.0, 3.0), (-1.0, 3.0), (2.0, 7.0), (-2.0, 7.0), (3.0, 5.0)] {
-            let slider_crank = LinkageSpec::default()
-                .point("A", 0.0, 0.0)
-                .point("B", crank, 0.0)
-                .point("C", crank + rod, 0.0)
-                .point("E", 19.0, 0.0)
-                .fixed(&["A", "E"])
-                .bar("crank", &["A", "B"])
-                .bar("rod", &["B", "C"])
-                .bar("slider", &["C"])
-                .slide("slider", "C", "frame", ["A", "E"])
-                .crank("crank");
+            let slider_crank = slider_crank([[crank, 0.0], [crank + rod, 0.0]]);
             let motion = Motion::new(Mechanism::new(&slider_crank).unwrap());
             let mechanism = motion.mechanism();
             let pose = motion
@@ -161,17 +151,7 @@ mod tests {
     /// inflection circle are straight to the third order.
     #[test]
     fn circles_of_a_stretched_slider_crank() {
-        let slider_crank = LinkageSpec::default()
-            .point("A", 0.0, 0.0)
-            .point("B", 3.0, 0.0)
-            .point("C", 8.0, 0.0)
-            .point("E", 9.0, 0.0)
-            .fixed(&["A", "E"])
-            .bar("crank", &["A", "B"])
-            .bar("rod", &["B", "C"])
-            .bar("slider", &["C"])
-            .slide("slider", "C", "frame", ["A", "E"])
-            .crank("crank");
+        let slider_crank = slider_crank([[3.0, 0.0], [8.0, 0.0]]);
         let mechanism = Mechanism::new(&slider_crank).unwrap();
         let motion = Motion::new(mechanism);
         let mechanism = motion.mechanism();

@@ -35,6 +35,7 @@ impl Evolute {
 mod tests {
     use super::*;
     use crate::linkage::LinkageSpec;
+    use crate::linkage::samples::slider_crank;
     use crate::mechanism::Mechanism;
 
     /// A parallelogram of sides 2 and 5, with a point P of the coupler, and a motion of a full turn.
@@ -81,17 +82,7 @@ mod tests {
     /// The slider of a slider-crank moves along a line, so its path has no centre of curvature.
     #[test]
     fn a_straight_path_has_no_evolute() {
-        let spec = LinkageSpec::default()
-            .point("A", 0.0, 0.0)
-            .point("B", 0.0, 3.0)
-            .point("C", 4.0, 0.0)
-            .point("E", 9.0, 0.0)
-            .fixed(&["A", "E"])
-            .bar("crank", &["A", "B"])
-            .bar("rod", &["B", "C"])
-            .bar("slider", &["C"])
-            .slide("slider", "C", "frame", ["A", "E"])
-            .crank("crank");
+        let spec = slider_crank([[0.0, 3.0], [4.0, 0.0]]);
         let motion = Motion::new(Mechanism::new(&spec).unwrap());
         let slider = motion.mechanism().point("C").unwrap();
         assert_eq!(Evolute::of(&motion, slider), Evolute::default());

@@ -1,6 +1,8 @@
 //! The specification of a linkage, as given by a person, and its defects.
 
 pub(crate) mod check;
+#[cfg(test)]
+pub(crate) mod samples;
 pub(crate) mod spec;
 mod tracer;
 

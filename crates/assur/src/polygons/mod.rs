@@ -132,22 +132,12 @@ impl Mechanism {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linkage::LinkageSpec;
+    use crate::linkage::samples::slider_crank;
     use crate::motion::Motion;
 
     /// A slider-crank with crank 3 and rod 5 and the crank upright: x = 3 cos φ + √(25 − 9 sin² φ), x′ = −3, x″ = 9/4.
     fn points(order: Order, input: InputRate) -> [Vector; 2] {
-        let spec = LinkageSpec::default()
-            .point("A", 0.0, 0.0)
-            .point("B", 0.0, 3.0)
-            .point("C", 4.0, 0.0)
-            .point("E", 9.0, 0.0)
-            .fixed(&["A", "E"])
-            .bar("crank", &["A", "B"])
-            .bar("rod", &["B", "C"])
-            .bar("slider", &["C"])
-            .slide("slider", "C", "frame", ["A", "E"])
-            .crank("crank");
+        let spec = slider_crank([[0.0, 3.0], [4.0, 0.0]]);
         let motion = Motion::new(Mechanism::new(&spec).unwrap());
         let mechanism = motion.mechanism();
         let pose = motion.pose::<3>(90_f64.to_radians()).unwrap();

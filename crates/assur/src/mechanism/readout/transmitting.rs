@@ -141,7 +141,7 @@ pub(in crate::mechanism) fn folded<const N: usize>(angle: Jet<N>) -> Jet<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linkage::LinkageSpec;
+    use crate::linkage::samples::slider_crank;
     use crate::motion::Motion;
 
     #[test]
@@ -182,17 +182,7 @@ mod tests {
     /// Crank 3 and rod 5: sin α = 3/5 |sin φ|. At 90° it is greatest; at 0° the rod is along the slide, and α′ = 3/5.
     #[test]
     fn the_pressure_angle_of_a_slider_crank() {
-        let spec = LinkageSpec::default()
-            .point("A", 0.0, 0.0)
-            .point("B", 0.0, 3.0)
-            .point("C", 4.0, 0.0)
-            .point("E", 9.0, 0.0)
-            .fixed(&["A", "E"])
-            .bar("crank", &["A", "B"])
-            .bar("rod", &["B", "C"])
-            .bar("slider", &["C"])
-            .slide("slider", "C", "frame", ["A", "E"])
-            .crank("crank");
+        let spec = slider_crank([[0.0, 3.0], [4.0, 0.0]]);
         let motion = Motion::new(Mechanism::new(&spec).unwrap());
         let mechanism = motion.mechanism();
         let [pressure] = mechanism.transmitting()[..] else {
