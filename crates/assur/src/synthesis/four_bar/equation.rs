@@ -47,27 +47,8 @@ impl Solution {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::four_bar::{Frame, Position, Proportions};
-
-    /// A task with a frame of length 1 along the x-axis, and φ₂ and φ₃ of its positions in degrees.
-    fn task(positions: &[[f64; 2]]) -> Task {
-        let frame = Frame {
-            length: 1.0,
-            angle: 0.0,
-        };
-        let position =
-            |[output, input]: &[f64; 2]| Position::new(output.to_radians(), input.to_radians());
-        let positions: Vec<Position> = positions.iter().map(position).collect();
-        Task::new(frame, &positions, Task::RATIOS).unwrap()
-    }
-
-    fn proportions(coupler: f64, output: f64, input: f64) -> Proportions {
-        Proportions {
-            coupler,
-            output,
-            input,
-        }
-    }
+    use crate::synthesis::four_bar::Proportions;
+    use crate::synthesis::four_bar::samples::{proportions, task};
 
     fn equation(z: Proportions, position: [f64; 2]) -> MainEquation {
         let task = task(&[position]);

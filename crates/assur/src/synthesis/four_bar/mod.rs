@@ -30,6 +30,8 @@ mod options;
 mod output_error;
 mod ranges;
 mod ranking;
+#[cfg(test)]
+mod samples;
 mod task;
 pub mod theorems;
 mod three;
