@@ -105,14 +105,15 @@ async fn the_second_part_may_come_late_or_never() {
     page.ask(CLOSE).await;
     let title = page.ask("return document.title").await;
     for (how, degrees, angle) in [("gone", "75", 75.0), ("damaged", "100", 100.0)] {
-        page.ask(&format!("lost = '{how}'; {CLASS4}")).await;
+        page.ask(&format!("window.eval(\"lost = '{how}'\"); {CLASS4}"))
+            .await;
         page.until("the reason", lost).await;
         assert_eq!(page.ask("return document.title").await, title);
         page.stop_at(degrees).await;
         assert!((page.value("out-input").await - angle).abs() < 1e-6);
         page.ask(CLOSE).await;
     }
-    page.ask("lost = null").await;
+    page.ask("window.eval('lost = null')").await;
     page.until("the Class IV mechanism", async || {
         page.ask(CLASS4).await;
         page.ask("return document.title").await != title

@@ -254,8 +254,8 @@ fn slotted(distance: f64) -> Motion {
     motion(&draft)
 }
 
-/// A slotted lever that comes to stand across the line of centres: Taylor's series at the change point tells the poses
-/// around it.
+/// A slotted lever that passes a change point, across the line of centres: the poses around it follow Taylor's series at
+/// the change point.
 #[test]
 fn slotted_lever() {
     let motion = slotted(1.0);
