@@ -91,21 +91,25 @@ mod tests {
         assert_eq!([0, 7, 120, 3456].map(subscript).join(" "), "₀ ₇ ₁₂₀ ₃₄₅₆");
     }
 
-    /// A four-bar 0-1-2-3 with a second dyad 4-5 on its rocker.
-    #[test]
-    fn a_formula_has_a_term_for_each_group() {
+    /// Structure of six links with these hinges; 0 is the frame, and the first hinge is driven.
+    fn hinged(hinges: [[usize; 2]; 7]) -> Structure {
         let graph = Graph {
             links: 6,
             ground: 0,
-            pairs: [[0, 1], [1, 2], [2, 3], [3, 0], [3, 4], [4, 5], [5, 0]]
-                .map(|links| Pair::Revolute(links.to_vec()))
-                .to_vec(),
+            pairs: hinges.map(|links| Pair::Revolute(links.to_vec())).to_vec(),
         };
         let driver = Driver {
             pair: 0,
             links: [0, 1],
         };
-        let structure = decompose(&graph, &[driver]).unwrap();
+        decompose(&graph, &[driver]).unwrap()
+    }
+
+    /// A four-bar 0-1-2-3 with a second dyad 4-5 on its rocker.
+    #[test]
+    fn a_formula_has_a_term_for_each_group() {
+        let hinges = [[0, 1], [1, 2], [2, 3], [3, 0], [3, 4], [4, 5], [5, 0]];
+        let structure = hinged(hinges);
         assert_eq!(
             structure.formula(|link| link),
             "I(0,1) → II₂(2,3) → II₂(4,5)"
@@ -120,18 +124,8 @@ mod tests {
     /// A plate 3 on three bars: 2 from the crank 1, and 4 and 5 from the frame.
     #[test]
     fn a_plate_on_three_bars_is_of_class_iii_and_order_3() {
-        let graph = Graph {
-            links: 6,
-            ground: 0,
-            pairs: [[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [4, 0], [5, 0]]
-                .map(|links| Pair::Revolute(links.to_vec()))
-                .to_vec(),
-        };
-        let driver = Driver {
-            pair: 0,
-            links: [0, 1],
-        };
-        let structure = decompose(&graph, &[driver]).unwrap();
+        let hinges = [[0, 1], [1, 2], [2, 3], [3, 4], [3, 5], [4, 0], [5, 0]];
+        let structure = hinged(hinges);
         assert_eq!(structure.formula(|link| link), "I(0,1) → III₃(2,3,4,5)");
     }
 

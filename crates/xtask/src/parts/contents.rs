@@ -15,7 +15,7 @@ pub(super) struct Contents<'a> {
     pub(super) imported: u32,
     /// Type of each function, as an index into `types`.
     pub(super) functions: Vec<u32>,
-    pub(super) bodies: Vec<FunctionBody<'a>>,
+    bodies: Vec<FunctionBody<'a>>,
     pub(super) tables: Vec<TableType>,
     pub(super) memories: Vec<MemoryType>,
     pub(super) globals: Vec<GlobalType>,
@@ -98,11 +98,15 @@ impl<'a> Contents<'a> {
         self.imported..self.functions.len() as u32
     }
 
+    /// Body of a defined function.
+    pub(super) fn body(&self, function: u32) -> &FunctionBody<'a> {
+        &self.bodies[(function - self.imported) as usize]
+    }
+
     /// Functions that a defined function calls directly.
     pub(super) fn called(&self, function: u32) -> Result<Vec<u32>> {
         let mut called = Vec::new();
-        let mut operators =
-            self.bodies[(function - self.imported) as usize].get_operators_reader()?;
+        let mut operators = self.body(function).get_operators_reader()?;
         while !operators.eof() {
             match operators.read()? {
                 Operator::Call { function_index } | Operator::ReturnCall { function_index } => {

@@ -146,8 +146,8 @@ impl Reencode for First<'_> {
         _: CodeSectionReader,
     ) -> Result<(), Error> {
         for function in &self.division.first {
-            let body = &self.contents.bodies[(function - self.contents.imported) as usize];
-            self.parse_function_body(code, body.clone())?;
+            let body = self.contents.body(*function).clone();
+            self.parse_function_body(code, body)?;
         }
         for (place, function) in (0..).zip(&self.division.stubs) {
             code.function(&self.stub(place, *function));

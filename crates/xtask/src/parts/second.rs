@@ -116,8 +116,8 @@ impl Reencode for Second<'_> {
         _: CodeSectionReader,
     ) -> Result<(), Error> {
         for function in &self.division.second {
-            let body = &self.contents.bodies[(function - self.contents.imported) as usize];
-            self.parse_function_body(code, body.clone())?;
+            let body = self.contents.body(*function).clone();
+            self.parse_function_body(code, body)?;
         }
         Ok(())
     }

@@ -115,16 +115,7 @@ fn sine(turn: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn angles(degrees: [f64; 3]) -> Angles {
-        let [coupler, output, input] = degrees.map(f64::to_radians);
-        Angles {
-            frame: 0.0,
-            coupler,
-            output,
-            input,
-        }
-    }
+    use crate::synthesis::four_bar::samples::angles;
 
     /// Coupler at 45°, output at 90°, input along the frame: z₁/√2 + z₃ = 1 and z₁/√2 + z₂ = 0, solved for each two.
     #[test]

@@ -161,22 +161,12 @@ fn one() -> Complex<f64> {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_PI_2, PI};
-
     use super::*;
-    use crate::synthesis::four_bar::{Frame, Position};
+    use crate::synthesis::four_bar::samples::weighted;
 
     /// Output 90° and input 180°, then output 180° and input 0°. With z₂ = z₃ = 3 the gaps are (4, −3) and (1, 0).
     fn objective(weights: [f64; 2], ratios: [f64; 2]) -> Objective {
-        let frame = Frame {
-            length: 1.0,
-            angle: 0.0,
-        };
-        let mut positions = [Position::new(FRAC_PI_2, PI), Position::new(PI, 0.0)];
-        for (position, weight) in positions.iter_mut().zip(weights) {
-            position.weight = weight;
-        }
-        Objective::new(&Task::new(frame, &positions, ratios).unwrap())
+        Objective::new(&weighted(weights, ratios))
     }
 
     /// Gaps of 5 and 1: the best coupler is their weighted mean, if it is within its bounds.

@@ -30,22 +30,12 @@ impl Surface {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_PI_2, PI};
-
     use super::*;
-    use crate::synthesis::four_bar::{Frame, Position};
+    use crate::synthesis::four_bar::samples::weighted;
 
     /// With z₂ = z₃ = 3 the gaps of the two positions are (4, −3) and (1, 0), 5 and 1.
     fn surface(weights: [f64; 2], ratios: [f64; 2]) -> Surface {
-        let frame = Frame {
-            length: 1.0,
-            angle: 0.0,
-        };
-        let mut positions = [Position::new(FRAC_PI_2, PI), Position::new(PI, 0.0)];
-        for (position, weight) in positions.iter_mut().zip(weights) {
-            position.weight = weight;
-        }
-        Surface::new(&Task::new(frame, &positions, ratios).unwrap())
+        Surface::new(&weighted(weights, ratios))
     }
 
     /// The best coupler 3 leaves 4 + 4; with the weights 3 and 1 the best is 4 and leaves 3·1 + 9; bounded by 2 it

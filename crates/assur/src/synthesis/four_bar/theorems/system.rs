@@ -128,16 +128,7 @@ impl System {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn angles(degrees: [f64; 3]) -> Angles {
-        let [coupler, output, input] = degrees.map(f64::to_radians);
-        Angles {
-            frame: 0.0,
-            coupler,
-            output,
-            input,
-        }
-    }
+    use crate::synthesis::four_bar::samples::angles;
 
     /// Coupler along the frame, output up, input back: (z₁ − z₃ − 1)² + z₂². With (3, 4, 0) it is 4 + 16.
     #[test]

@@ -153,16 +153,7 @@ fn parallel(angles: &Angles) -> Truth {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn angles(degrees: [f64; 3]) -> Angles {
-        let [coupler, output, input] = degrees.map(f64::to_radians);
-        Angles {
-            frame: 0.0,
-            coupler,
-            output,
-            input,
-        }
-    }
+    use crate::synthesis::four_bar::samples::angles;
 
     /// Coupler 90°, output −45°, input 225°: z₂ − z₃ = √2 and z₁ = (z₂ + z₃)/√2, which exceeds 1. Coupler 45°, output
     /// −45°, input 90°: z₂ = √2 − z₁ and z₃ = 1 − √2 z₁.
