@@ -1,4 +1,4 @@
-// The engine for the page: one Simulator, the mechanism compared with it, and recovery after a trap in its wasm.
+// The engine for the page: one Simulator, mechanism A for comparison, and recovery after a trap in the wasm.
 import { guarded } from "assur/core/guarded.js";
 import { NotLoaded } from "assur/core/parts.js";
 import { Refusal, problemsOf } from "assur/core/problem.js";
@@ -29,7 +29,7 @@ export class Engine {
   #compared = new Compared(() => new module.Simulator());
   /** Number of earlier instances of the module. */
   #instances = 0;
-  /** Whether the engine has failed since it last accepted a state. */
+  /** Whether a call has trapped since the engine last accepted a state. */
   trapped = false;
   /** @type {readonly string[]} */
   roles = module.roleNames();

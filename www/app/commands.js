@@ -49,7 +49,7 @@ function fileCommands(page) {
    * @param {(part: Part) => void} act
    */
   const later = async (load, act) => {
-    // These parts also need the second part of the engine.
+    // These modules also need the second part of the engine.
     const loaded = await awaited(Promise.all([load(), compiledWasm()])).catch(() => null);
     if (loaded) act(loaded[0]);
     else notices.tell(LOST);
@@ -88,7 +88,8 @@ function motionCommands(page) {
     });
   };
 
-  // The preset to which a mechanism is reset: the one shown last, or else the first of the catalogue.
+  // The preset to which a mixer is reset: the one shown last, or else the first of the catalogue. Any other mechanism
+  // is reset to the preset that it comes from.
   const [first] = engine.catalogue.mixers;
   let preset = first;
   const note = (/** @type {import("assur/state/state.js").State} */ state) => {

@@ -1,4 +1,4 @@
-// Description of the drawing and the plots for screen readers, written while the mechanism is at rest.
+// Description of the drawing and the plots for screen readers. Poses are described only at rest.
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
@@ -19,7 +19,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null }} Charted
  */
 
-/** Time at rest before the pose is announced, in milliseconds. Poses passed during a drag are not announced. */
+/** Time without a change before the texts are written, in milliseconds. Poses passed in a drag are not described. */
 const PAUSE = 500;
 
 export class Description {
@@ -52,7 +52,7 @@ export class Description {
   }
 
   /**
-   * Removes the description of a pose that is no longer shown.
+   * Removes the description of a pose that is no longer shown. In motion, a text that says so replaces it.
    * @param {import("assur/state/model.js").AnySnapshot} snapshot
    */
   #fallSilent(snapshot) {
@@ -96,7 +96,8 @@ function valueText({ what }, value, words) {
 }
 
 /**
- * A sentence with the values of the input and of the listed quantities.
+ * Text on the pose: the values of the input and of the listed quantities, and the comparison with mechanism A if there
+ * is one.
  * @param {Snapshot} snapshot
  */
 function pose(snapshot) {

@@ -22,7 +22,7 @@ export class Header {
     byId("draw", HTMLButtonElement).addEventListener("click", commands.draw);
     for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
     this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
-    // A click anywhere closes the menu, including a click on one of its entries.
+    // A click closes the menu, also a click on one of its entries. The menu's own button opens and closes it by itself.
     addEventListener("click", ({ target }) => {
       if (target instanceof Node && !this.#menu.querySelector("summary")?.contains(target)) this.#closeMenu();
     });

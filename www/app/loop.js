@@ -1,4 +1,4 @@
-// The animation loop, the only source of time in the page.
+// The animation loop, the only clock of the motion.
 
 /** Longest time step, in seconds, even if more time passes between two frames. */
 const MAX_STEP = 0.1;

@@ -16,7 +16,7 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
  * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
  * Settings of the visit. `calm`: nothing moves unless the reader starts it. `lang`: language of states that name none,
- * chosen on the page or else by the browser. `embedding`: set by another page that shows this one in a frame.
+ * chosen on the page or else by the browser. `embedding`: settings from another page that shows this one in a frame.
  */
 
 /** Extension of the files of the program Linkage. */
@@ -29,8 +29,8 @@ const MAX_FILE = 20_000_000;
 const OTHERS = Object.freeze(["not_json", "no_mechanism", "is_picture"]);
 
 /**
- * Length to which texts of other programs are cut, in characters, because the engine's memory never shrinks. The engine
- * refuses texts of this length.
+ * Length to which texts of other programs are cut, in characters, because the engine's memory never shrinks. It exceeds
+ * the engine's limit, so that the engine refuses a text that was cut.
  */
 const MAX_FOREIGN = 2 ** 20 + 1;
 
@@ -156,7 +156,10 @@ export async function open(engine, habits) {
   const bare = () => fromFile(text ?? "");
   const kept = () => withImage(bare());
   const pictured = Boolean(Object(attempt(bare).value).picture);
-  /** @param {State} state the stored state; the image of its picture may be missing */
+  /**
+   * Opens a state, and reports that its picture is missing if the stored state had one.
+   * @param {State} state
+   */
   const said = (state) => {
     if (pictured && !state.picture) failures.push({ kind: "picture", problems: [{ code: "picture_lost" }] });
     return { state, failures };

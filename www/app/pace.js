@@ -1,4 +1,5 @@
-// Pacing of the views other than the drawing. A drag that changes the mechanism gets most of the time.
+// Pacing of the views other than the drawing. During a drag that changes the mechanism, the drawing gets most of the
+// time.
 import { whenReleased } from "assur/core/released.js";
 
 /** Longest writing time of the views, in milliseconds, at which they are written in every frame of a drag. */

@@ -117,7 +117,10 @@ export class Page {
     }));
   }
 
-  /** Loads the second part of the engine, then the worksheet, because the browser's print command cannot wait for it, and the often-used gallery. */
+  /**
+   * Opens the lesson of an embedded page, and loads in advance: the second part of the engine; the gallery, which is
+   * often used; the worksheet, for which the browser's print command cannot wait.
+   */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
     await compiledWasm().catch(() => this.notices.tell(LOST));
@@ -186,7 +189,7 @@ export class Page {
     const before = model.lastAccepted;
     this.#player.begin();
     choose(kind, document, edits, look, this);
-    // No address holds a document that the engine refuses.
+    // A document that the engine refuses does not enter the address bar.
     model.follow(store.get());
     address.enter(before, model.lastAccepted);
   }

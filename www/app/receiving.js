@@ -26,7 +26,7 @@ export function receive(page) {
  * @param {DataTransfer | null} data
  * @param {Page} page
  * @param {boolean} meant whether to show a message if the text is not in the format of a known program
- * @returns {boolean} whether there was any content to take
+ * @returns {boolean} whether the page takes the content
  */
 function bring(data, page, meant) {
   const { engine } = page;

@@ -1,4 +1,5 @@
-// Title of the mechanism: in the header, with its use as a tooltip, in the browser's tab and in the drawing's label.
+// Title of the mechanism: in the header, where a tooltip gives the use of a preset, in the browser's tab and in the
+// drawing's label.
 import { byId, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { titleOf } from "assur/core/titles.js";

@@ -1,4 +1,5 @@
-// All views. Those for one kind of document load when it is first shown; text for screen readers loads at rest.
+// All views of the page. The views of most kinds of document load when the kind is first shown, the description for
+// screen readers when the mechanism is first at rest.
 import { Becoming } from "assur/app/becoming.js";
 import { awaited } from "assur/app/busy.js";
 import { BROKE, LOST } from "assur/app/notices.js";
@@ -27,7 +28,7 @@ import { moves } from "assur/state/model.js";
  * @typedef {import("assur/state/model.js").AnySnapshot} AnySnapshot
  * @typedef {{ render(snapshot: AnySnapshot): void }} View
  * @typedef {{ render(snapshot: import("assur/state/model.js").Snapshot): void }} MotionView view of documents that move
- * @typedef {(page: Page) => readonly View[]} Make makes the views of a kind of document, which get its snapshots only
+ * @typedef {(page: Page) => readonly View[]} Make makes the views of a kind; they get snapshots of this kind only
  */
 
 /** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */

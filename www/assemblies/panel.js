@@ -1,4 +1,5 @@
-// Panel of all assemblies at the current input: their pictures, a map of the branches, and lists of the reachable ones.
+// Panel of all assemblies at the current input: a picture of each, the assemblies that can and cannot be reached from
+// the shown one, and a map of the branches.
 import "assur/assemblies/style.js";
 import { BranchMap } from "assur/assemblies/map.js";
 import { Motions } from "assur/assemblies/motions.js";
@@ -91,7 +92,7 @@ export class Assemblies {
   }
 
   /**
-   * Shows a picture for each assembly, and marks the moving one.
+   * Shows a button for each assembly; the button of the shown assembly is pressed.
    * @param {Here} here
    * @param {Snapshot} snapshot
    */
@@ -142,8 +143,8 @@ export class Assemblies {
   }
 
   /**
-   * Enlarges the rectangle to contain the bodies.
-   * @param {readonly number[]} bodies
+   * Enlarges the rectangle to contain the origins of the moving bodies.
+   * @param {readonly number[]} bodies number of bodies, then x, y and angle of each; the first body is the frame
    */
   #hold(bodies) {
     const bounds = this.#bounds;
@@ -167,7 +168,7 @@ export class Assemblies {
     write(this.#count, whole ? count : `${count} ${words.text("assemblies.partial")}`);
     if (shown === null) return;
     const { map, current } = this.#motions;
-    // The worker is asked, and the answer announced, only at rest.
+    // The worker is asked only at rest. In motion, its last answer stays.
     if (!state.view.playing) this.#motions.at(frameInput, shown);
     const belonging = current ? this.#motions.belonging : null;
     const fits = belonging?.branches.length === all.length ? belonging : null;

@@ -43,7 +43,7 @@ const SMALL = 0.85;
 const INDEXED = /^(\p{Script=Greek})_(\p{L})$/u;
 /** Size of a subscript relative to the text, and its distance below the text, in heights of the text. */
 const LOW = Object.freeze({ size: 0.75, below: 0.25 });
-/** Width of the halo around the text, in pixels. */
+/** Width of the line painted under a text as its halo, in pixels. */
 const HALO = 4;
 /** @type {number[]} */
 const NO_DASH = [];

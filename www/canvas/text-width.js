@@ -7,7 +7,7 @@ const MAX_REMEMBERED = 400;
 const known = new Map();
 
 /**
- * Width of a text. All digits count as equally wide, as they are in fonts for tables and screens.
+ * Width of a text. All digits count as equally wide, like tabular digits.
  * @param {import("assur/canvas/painter.js").Context} context with the font set
  * @param {string} font font of the context, given because reading it from the context is slow
  * @param {string} text

@@ -30,7 +30,7 @@ export class NumberBox {
    * @param {HTMLInputElement} input
    * @param {string} field
    * @param {import("assur/state/drafts.js").Drafts} drafts
-   * @param {(value: number) => number | void} set sets the number, and returns the value in the state if it is another
+   * @param {(value: number) => number | void} set sets the number, and returns the value in the state if the two differ
    */
   constructor(input, field, drafts, set) {
     this.#input = input;

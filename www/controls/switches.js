@@ -1,4 +1,4 @@
-// Switches of the overlays on the drawing and the plots: one checkbox for each overlay.
+// Checkboxes that show and hide the overlays of the drawing and the plots, and the panels beside them.
 import { byId } from "assur/core/dom.js";
 import { SWITCHES, withView } from "assur/state/state.js";
 

@@ -1,4 +1,4 @@
-// Calls that are guarded: each is made by one function, which handles its failure.
+// Guarding of an object's functions: one function makes all calls, and handles their failures.
 
 /**
  * Guards the functions of an object.

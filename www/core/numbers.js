@@ -9,7 +9,7 @@ const CYRILLIC_E = /[еЕ]/g;
 /** An exponent as browsers write it. */
 const EXPONENT = /[EЕ]([\u2212\d]+)$/;
 
-/** `HUGE`, `TINY`: limits of the absolute values that are written without a power of ten. */
+/** `HUGE`, `TINY`: limits of the absolute values that `short`, `brief` and `exact` write without a power of ten. */
 const HUGE = 1e9;
 const TINY = 1e-6;
 
@@ -100,7 +100,7 @@ export class Numbers {
   }
 
   /**
-   * A number with four significant digits, for sentences.
+   * A number with at most four significant digits, for sentences.
    * @param {number} value
    */
   short(value) {

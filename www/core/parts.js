@@ -6,7 +6,7 @@ import init, { initSync, second as loader } from "assur/pkg/assur_web.js";
 /** Name of the section that is the same in both parts of one build. */
 const BUILD = "build";
 
-/** A call needed the second part, which did not load. */
+/** Exception of a call that needed the second part, which did not load. */
 export class NotLoaded extends Error {}
 
 /**

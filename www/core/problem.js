@@ -20,7 +20,8 @@ export function problemsOf(thrown) {
 }
 
 /**
- * Does work, and returns the problems of a refusal by the engine. Any other exception is a fault, and is thrown again.
+ * Returns the result of a call or, if the call is refused, the problems. Any other exception is a fault, and is thrown
+ * again.
  * @template T
  * @param {() => T} work
  * @returns {{ value: T, problems: readonly Problem[] } | { value: null, problems: readonly Problem[] }}

@@ -50,7 +50,7 @@ async function compile(response) {
 }
 
 /**
- * Loads a part while the page stands still, for a call that needs it before it has loaded.
+ * Loads a part by a blocking request, for a call that needs the part before it has loaded.
  * @param {string} name
  * @returns {WebAssembly.Module}
  */

@@ -10,8 +10,8 @@ export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
 const UNITS = "\\{unit\\}|%|px|rpm|об/(?:мин|хв)|айн/мин|(?:min|мин|хв)⁻¹|[NН]·[mм]|m?m|cm|s|kB|MB|м?м(?:/с)?|см|с|[кМ]Б|п[иі]кс";
 
 /**
- * Spaces at which a line may not break: before a unit, beside an equals sign before a number, before a dash, and
- * after `fig.`, an initial or a Cyrillic word of one letter.
+ * Spaces at which a line may not break: before a unit, on both sides of an equals sign that a number follows, before a
+ * dash, and after `fig.`, an initial or a Cyrillic word of one letter.
  */
 const HELD = new RegExp(
   [

@@ -167,7 +167,8 @@ export class Drawing {
   }
 
   /**
-   * Moves the selection, or else the keyboard's pointer, by a step of the grid. Enter presses at that pointer.
+   * Moves the selection by a step of the grid. If another tool is in use or nothing is selected, moves the keyboard's
+   * pointer instead; Enter presses at that pointer.
    * @param {KeyboardEvent} event
    */
   #arrow({ key }) {
@@ -185,7 +186,7 @@ export class Drawing {
   }
 
   /**
-   * Puts a picture that is dropped or pasted behind the drawing.
+   * Puts a dropped or pasted picture behind the drawing.
    * @param {Event} event
    * @param {DataTransfer | null} data
    */

@@ -19,7 +19,7 @@ const PICK_DISTANCE = Object.freeze({ joint: [16, 26], link: [7, 14] });
 /** Event data for a press made by the keyboard. */
 const KEYED = Object.freeze({ pointerType: "mouse", altKey: false, shiftKey: false });
 
-/** Number of grid steps per side of a square of the ruled paper, by the first digit of the side's length. */
+/** Number of grid steps per side of a square of the squared paper, by the first digit of the side's length. */
 const STEPS = Object.freeze({ 1: 5, 2: 4, 5: 5 });
 
 export class Hand {
@@ -29,9 +29,9 @@ export class Hand {
   #changed;
   /** @type {[Point, Point] | null} opposite corners of the rectangle that the reader draws to select */
   frame = null;
-  /** @type {Point | null} point under the pointer on the paper */
+  /** @type {Point | null} point in the model at which a press would act; null if the pointer is outside the drawing */
   over = null;
-  /** Whether `over` is the point of the keyboard's pointer. */
+  /** Whether `over` was set by the keyboard's pointer. */
   keyed = false;
 
   /**
@@ -66,7 +66,8 @@ export class Hand {
   }
 
   /**
-   * Moves the keyboard's pointer along the grid. The pointer starts in the middle of the visible area.
+   * Moves the keyboard's pointer along the grid. It starts at the mouse pointer or, if that is outside the drawing, in
+   * the middle of the visible area.
    * @param {number} right steps
    * @param {number} up
    */
@@ -274,7 +275,7 @@ export class Hand {
 
   /**
    * @param {string} point
-   * @returns {string | null} the last wheel added at the point; null if the point has no wheel or only the wheel
+   * @returns {string | null} the last wheel added at the point; null if the point has no wheel or is on no other link
    */
   #wheelOn(point) {
     const { links = [], slides = [] } = this.#document();

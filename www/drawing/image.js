@@ -19,7 +19,8 @@ const SIDE = 1000;
 
 /**
  * @param {File} file
- * @returns {Promise<Image | null>} the image, converted and made smaller if need be; null if the file is no image
+ * @returns {Promise<Image | null>} the image, converted and made smaller if need be; null if the file is no
+ * image, or if the image is too long for a state at every size
  */
 export async function imageOf(file) {
   try {

@@ -1,5 +1,5 @@
-// Marks painted over the drawing while it is edited: the selection, the points and links pressed so far, the next bar,
-// locked dimensions.
+// Marks painted over the drawing while it is edited: the selection, the points and links pressed so far, the line from
+// the last press to the pointer, locked dimensions, and the marks on the picture behind the drawing.
 import { level } from "assur/drawing/tools.js";
 
 /**
@@ -7,7 +7,7 @@ import { level } from "assur/drawing/tools.js";
  *   hand: import("assur/drawing/hand.js").Hand }} Drawn
  */
 
-/** In pixels. `RING`: radius of the ring around a point. `OVER`: width of the line over a link. */
+/** `RING`: radius of the ring around a point, in pixels. `OVER`: width of the line over a link, in pixels. */
 const RING = 10;
 const OVER = 12;
 /** Radius of the ring around a link with only one point, such as a wheel or a block, in pixels. */

@@ -75,7 +75,7 @@ export class PictureOptions {
   /**
    * @param {Part} part
    * @param {number} value
-   * @returns {number} the value that results in the state
+   * @returns {number} the resulting value in the state
    */
   #lay(part, value) {
     const { base } = this.#picture;

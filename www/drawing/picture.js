@@ -171,7 +171,11 @@ export class BackPicture {
     context.restore();
   }
 
-  /** @returns {{ pixels: HTMLCanvasElement, origin: Point, right: Point } | null} the picture's pixels; in model coordinates, its upper left corner and the vector from one pixel to the next on its right */
+  /**
+   * @returns {{ pixels: HTMLCanvasElement, origin: Point, right: Point } | null} `pixels`: those of the picture. In
+   * model coordinates, `origin`: the picture's upper left corner; `right`: the vector from a pixel to the next on its
+   * right
+   */
   get #frame() {
     const [picture, pixels] = [this.#picture, this.#pixels];
     if (!picture || !pixels || picture.image !== this.#image) return null;

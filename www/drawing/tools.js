@@ -247,7 +247,7 @@ function outerPair(letter, target) {
 /**
  * @param {Point} from
  * @param {Point} to
- * @returns {[number, number]} the second point, moved if need be to make a nearly level or upright line exactly so
+ * @returns {[number, number]} the second point, moved if need be so that a nearly horizontal or vertical line is exact
  */
 export function level([x, y], [right, up]) {
   const [dx, dy] = [right - x, up - y];

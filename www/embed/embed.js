@@ -25,7 +25,7 @@ const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegEx
   lang: LANGUAGES,
 }));
 
-/** Commands: `MOVING` change only the pose or the motion, `EDITING` change the mechanism. */
+/** Commands available in a frame: `MOVING` always, `EDITING` if the mechanism may be changed. */
 const MOVING = Object.freeze(["play", "back", "forward", "back10", "forward10", "start", "end", "faster", "slower", "reverse", "close"]);
 const EDITING = Object.freeze(["assembly1", "assembly2", "trace", "undo", "redo"]);
 

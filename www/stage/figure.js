@@ -108,7 +108,7 @@ export class Figure {
   }
 
   /**
-   * Paints the moving shapes.
+   * Paints the moving shapes, over mechanism A if it is shown.
    * @param {Target} target
    * @param {Transform} view
    */

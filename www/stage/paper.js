@@ -1,4 +1,5 @@
-// Background of the drawing: squared paper with its scale and the fixed shapes. It is painted once and copied to every frame.
+// Background of the drawing: squared paper with its scale and the fixed shapes. It is painted when it changes, and
+// copied to every frame.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Context} Context

@@ -76,7 +76,8 @@ export class MechanismPointer {
     });
     canvas.addEventListener("dblclick", () => this.#tool ?? view.fit());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    // While the drawing is not zoomed, one finger scrolls the page unless it starts at a joint. Two fingers zoom.
+    // One finger scrolls the page unless it starts at a joint, a tool is in use or the drawing is zoomed. Two fingers
+    // zoom.
     canvas.addEventListener("touchstart", (event) => this.#touch(event), { passive: false });
     byId("zoom-in", HTMLButtonElement).addEventListener("click", () => view.zoom(STEP));
     byId("zoom-out", HTMLButtonElement).addEventListener("click", () => view.zoom(1 / STEP));

@@ -21,7 +21,7 @@ const SMALL_MARGIN = 36;
 /** Length of the shorter side below which a drawing is small, in pixels. */
 const SMALL = 320;
 
-/** Width and height of the picture if the drawing is not on the screen, in pixels. */
+/** Width and height to which a picture is fitted if the drawing is not on the screen, in pixels. */
 const UNSEEN = Object.freeze(/** @type {const} */ ([640, 480]));
 
 /** Limits of the share of the canvas that the bounds may fill. Outside these limits, the view is fitted again. */
@@ -238,7 +238,7 @@ export class MechanismView {
     this.#held = this.view;
   }
 
-  /** Lets the view follow the bounds again, unless the reader has zoomed. */
+  /** Lets the view follow the bounds again, unless the reader has zoomed or is drawing. */
   release() {
     if (!this.#kept) this.#held = null;
     this.#shown();

@@ -18,7 +18,10 @@ const KINDS = Object.freeze(/** @type {Record<string, string | undefined>} */ ({
 const EXTRAS = Object.freeze(/** @type {const} */ (["lesson", "compared"]));
 const PREFIXES = Object.freeze({ document: "d.", view: "v." });
 
-/** Limits of a state. `MAX_LENGTH`: characters without an image, which the engine checks. `MAX_DEPTH`: depth of nesting. */
+/**
+ * Limits of a state. `MAX_LENGTH`: number of characters, not counting an image, whose length the engine checks.
+ * `MAX_DEPTH`: depth of nesting.
+ */
 export const MAX_LENGTH = 400_000;
 const MAX_DEPTH = 12;
 

@@ -89,7 +89,7 @@ export class Compared {
     }
   }
 
-  /** Hides A until another A is chosen. */
+  /** Hides A until another A is chosen or a field of the view that A shares with B changes. */
   hide() {
     this.broken = false;
     this.simulator = null;

@@ -147,7 +147,8 @@ export class Coordinate {
   /**
    * @param {number} input in the engine's unit
    * @param {Words} words
-   * @param {number} decimals for an angle, for a time, and for a slide with a travel from 1 to 10; a longer travel has fewer
+   * @param {number} decimals for an angle, a time, and a slide with a travel from 1 to 10; a slide with a
+   * longer travel gets fewer, one with a shorter travel more
    */
   text(input, words, decimals) {
     return this.written(this.inputShown(input), words, decimals);

@@ -1,4 +1,4 @@
-// Problems of number fields whose content is not a number or was refused, kept until the content is valid.
+// Problems by field: content that is not a number, or a refused request. A problem is kept until its field is valid.
 
 /** Name of the number field for the input, whatever the unit. */
 export const INPUT = "input";

@@ -1,4 +1,4 @@
-// Undo and redo: a list of earlier mechanisms. A step is what a person regards as one change.
+// Undo and redo: lists of earlier and of undone states. A step is what a person regards as one change.
 import { whenReleased } from "assur/core/released.js";
 import { partOf } from "assur/state/drafts.js";
 import { EXTRAS, UNDOABLE_VIEW, extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
@@ -10,8 +10,8 @@ import { EXTRAS, UNDOABLE_VIEW, extrasOf, withExtras, withMechanism, withView } 
  */
 
 /**
- * Events that end a step. All changes between two such events, as in a drag or a typed number, are one step. A drag ends only
- * with the next press, because a slider may report its last movement after the release.
+ * Events that end a step. All changes between two such events, as in a drag or a typed number, are one step. The
+ * release of a pointer is not such an event, because a slider may report its last movement after the release.
  */
 const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
 

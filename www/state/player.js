@@ -12,7 +12,7 @@ export class Player {
   /** 1 in the direction chosen by the reader, −1 in the opposite direction. */
   #sense = 1;
 
-  /** Starts another mechanism in the direction chosen by the reader. */
+  /** Resets the direction to the one chosen by the reader, because another mechanism is shown. */
   begin() {
     this.#sense = 1;
   }

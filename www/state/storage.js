@@ -52,7 +52,8 @@ export function keep(name, text) {
 }
 
 /**
- * Keeps a text of a lesson. If too many lecturers' lessons have texts, those of the lessons not used for longest are removed.
+ * Keeps a text of a lesson. If too many lecturers' lessons have texts, the texts of the least recently used lessons are
+ * removed.
  * @param {string} name id of the lesson; for a lecturer's lesson, `own.` and its digest, followed for answers by a dot and a key of the reader
  * @param {string} text
  */
@@ -105,7 +106,8 @@ export function takeUpAddress() {
 }
 
 /**
- * Keeps every change in the browser's storage and in the address, but the input of a motion only when the page is left.
+ * Keeps every change in the browser's storage and in the address. In motion, a change that leaves the document as it is
+ * is kept only when the motion stops or the page is hidden or left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} accepts whether the engine takes the state; a refused state is not kept
@@ -150,7 +152,7 @@ export function persist(store, address, accepts, ours, unkept) {
   if (ours) addEventListener("storage", onStorage);
   store.subscribe((state, previous) => {
     changed = true;
-    // A change of the input in motion is written only when the page is left.
+    // In motion the view changes in every frame, too often to be written each time.
     if (state.view.playing && previous.view.playing && state.document === previous.document) return;
     timer ||= setTimeout(save, PERIOD);
   });
