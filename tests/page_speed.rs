@@ -23,10 +23,10 @@ use serde_json::json;
 /// Put into the page before its own scripts: each is read once, however often it
 /// is used, so that the page's memory is its own.
 ///
-/// `frames` waits for a number of animation frames. `drag` moves a slider by its
-/// own steps down and up, one a frame, as a hand does, and hands on what each kept
-/// the main thread busy for, in milliseconds: the event, and all of the frame after
-/// it, of which a message posted from within is the end. `live` plays and drags by
+/// `frames` waits for a number of animation frames. `drag` presses a slider, moves it
+/// by its own steps down and up, one a frame, and releases it, as a hand does. It hands
+/// on what each step kept the main thread busy for, in milliseconds: the event, and all
+/// of the frame after it, of which a message posted from within is the end. `live` plays and drags by
 /// turns until `living` is no more. `memory` is the engine's.
 const BENCH: &str = "globalThis.bench = {
     frames: (left) => new Promise((done) => {
@@ -40,6 +40,7 @@ const BENCH: &str = "globalThis.bench = {
         let event = 0, frame = 0;
         const step = () => {
             if (spent.length === steps) {
+                slider.dispatchEvent(new PointerEvent('pointerup', { bubbles: true }));
                 port1.close();
                 return done(spent);
             }
@@ -54,6 +55,7 @@ const BENCH: &str = "globalThis.bench = {
             spent.push(event + performance.now() - frame);
             setTimeout(step);
         };
+        slider.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
         step();
     }),
     live: async () => {

@@ -1,67 +1,43 @@
-// Pacing of the views other than the drawing. During a drag that changes the mechanism, the drawing gets most of the
-// time.
+// Pacing of the views other than the drawing while a hand changes the mechanism, so that the drawing follows the hand.
 import { whenReleased } from "assur/core/released.js";
 
-/** Longest writing time of the views, in milliseconds, at which they are written in every frame of a drag. */
-const BRIEF = 3;
-/** Pause after views that took longer than `BRIEF` to write, as a multiple of their writing time. */
+/** Least pause after a write, as a multiple of the time that the write took. */
 const REST = 12;
 
 export class Pace {
   /** Revision of the mechanism that the views show. */
   #revision = 0;
-  /** Whether the views last took longer than `BRIEF` to write. */
-  #long = false;
   /** Time at which the pause ends, in milliseconds on the clock of `performance.now`. */
   #rests = 0;
-  /** @type {{ revision: number, write: () => void } | null} views to be written after the frame */
-  #due = null;
-  /** Whether a pointer is down. */
-  static #pressed = false;
+  #period;
+  /** Whether a pointer or a repeating key is down. */
+  static #held = false;
 
   static {
-    addEventListener("pointerdown", () => (Pace.#pressed = true), true);
-    whenReleased(() => (Pace.#pressed = false));
+    addEventListener("pointerdown", () => (Pace.#held = true), true);
+    addEventListener("keydown", ({ repeat }) => (Pace.#held ||= repeat), true);
+    addEventListener("keyup", () => (Pace.#held = false), true);
+    whenReleased(() => (Pace.#held = false));
+  }
+
+  /** @param {number} period least time from the end of one write to the next during a change by hand, in milliseconds */
+  constructor(period) {
+    this.#period = period;
   }
 
   /**
-   * Writes the views now, after this frame, or not yet.
+   * Writes the views, unless they are in a pause.
    * @param {number} revision of the mechanism
    * @param {() => void} write
-   * @returns {boolean} false if the views are not written yet; the caller then tries again
+   * @returns {boolean} false if the views are not written; the caller then tries again in the next frame
    */
   run(revision, write) {
-    if (Pace.#pressed && revision !== this.#revision) {
-      if (performance.now() < this.#rests) return false;
-      if (this.#long) {
-        // The dragged drawing reaches the screen first.
-        if (!this.#due) setTimeout(() => this.#end());
-        this.#due = { revision, write };
-        return true;
-      }
-    }
-    this.#due = null;
-    this.#write(revision, write);
-    return true;
-  }
-
-  #end() {
-    const due = this.#due;
-    this.#due = null;
-    if (due) this.#write(due.revision, due.write);
-  }
-
-  /**
-   * @param {number} revision
-   * @param {() => void} write
-   */
-  #write(revision, write) {
     const begun = performance.now();
+    if (Pace.#held && revision !== this.#revision && begun < this.#rests) return false;
     write();
     const written = performance.now();
-    const took = written - begun;
     this.#revision = revision;
-    this.#long = took > BRIEF;
-    this.#rests = this.#long ? written + REST * took : 0;
+    this.#rests = written + Math.max(this.#period, REST * (written - begun));
+    return true;
   }
 }

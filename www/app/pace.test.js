@@ -67,48 +67,58 @@ test("a page that nobody sees asks for no frames, and goes on without a leap", (
 });
 
 /**
- * A pace whose writing takes so many milliseconds.
+ * A pace with a period of 50 ms, and a clock.
  * @param {import("node:test").TestContext} t
  */
 function begin(t) {
   let [clock, writes] = [1e6, 0];
-  t.mock.timers.enable({ apis: ["setTimeout"] });
   t.mock.method(performance, "now", () => clock);
-  const pace = new Pace();
+  const pace = new Pace(50);
   const keep = (revision, took = 0) => pace.run(revision, () => {
     clock += took;
     writes += 1;
   });
-  return { keep, rest: (ms) => (clock += ms), written: () => writes, end: () => t.mock.timers.tick(1) };
+  return { keep, rest: (ms) => (clock += ms), written: () => writes };
 }
 
-test("what is brief is written at once, also under a pressed pointer", (t) => {
+test("without a pointer or a key that is held down, all is written at once", (t) => {
   const { keep, written } = begin(t);
-  happen("pointerdown");
-  for (let revision = 1; revision < 6; revision++) assert.equal(keep(revision, 2), true);
-  assert.equal(written(), 5);
-  happen("pointerup");
+  for (let revision = 1; revision < 6; revision++) assert.equal(keep(revision, 20), true);
+  happen("keydown", { repeat: false });
+  assert.equal(keep(6), true);
+  happen("keyup");
+  assert.equal(written(), 6);
 });
 
-test("what takes long rests twelve times as long while a pointer drags, and is written when the frame is over", (t) => {
-  const { keep, rest, written, end } = begin(t);
+for (const [down, up, detail] of [["pointerdown", "pointerup", {}], ["keydown", "keyup", { repeat: true }]]) {
+  test(`during ${down} a change waits for the end of the period`, (t) => {
+    const { keep, rest, written } = begin(t);
+    happen(down, detail);
+    assert.equal(keep(1), true);
+    assert.equal(keep(2), false);
+    rest(49);
+    assert.equal(keep(3), false);
+    rest(1);
+    assert.equal(keep(3), true);
+    // The same mechanism, at another input, is written at once.
+    assert.equal(keep(3), true);
+    assert.equal(keep(4), false);
+    happen(up);
+    assert.equal(keep(4), true);
+    assert.equal(written(), 4);
+  });
+}
+
+test("what takes long rests twelve times as long", (t) => {
+  const { keep, rest, written } = begin(t);
   happen("pointerdown");
   keep(1, 10);
-  assert.equal(keep(2, 10), false);
   rest(119);
   assert.equal(keep(2, 10), false);
   rest(1);
   assert.equal(keep(2, 10), true);
-  // Only the newest is written.
-  assert.equal(keep(3, 10), true);
-  assert.equal(written(), 1);
-  end();
   assert.equal(written(), 2);
-  // The same mechanism is written at once, and so is another once the pointer is up.
-  assert.equal(keep(3, 10), true);
   happen("pointerup");
-  assert.equal(keep(4, 10), true);
-  assert.equal(written(), 4);
 });
 
 test("a release that goes elsewhere is one", (t) => {

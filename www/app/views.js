@@ -45,6 +45,10 @@ const TOOLS = Object.freeze({
 });
 const TOOL_NAMES = Object.freeze(/** @type {(keyof typeof TOOLS)[]} */ (Object.keys(TOOLS)));
 
+/** Least time between two drawings of the plots, and between two writings of the other views, while a hand changes the mechanism; milliseconds. */
+const PLOTTING_PERIOD = 50;
+const WRITING_PERIOD = 200;
+
 export class Views {
   #page;
   /** @type {readonly View[]} views written in every frame: the drawing and its pointer */
@@ -54,7 +58,7 @@ export class Views {
   #views;
   /** @type {readonly MotionView[]} */
   #plots;
-  #paces = { plots: new Pace(), others: new Pace() };
+  #paces = { plots: new Pace(PLOTTING_PERIOD), others: new Pace(WRITING_PERIOD) };
   /** @type {MotionView[]} */
   #moving;
   /** Kind of the document that is drawn. */

@@ -1,5 +1,4 @@
-// Background of the drawing: squared paper with its scale and the fixed shapes. It is painted when it changes, and
-// copied to every frame.
+// Background of the drawing: squared paper with its scale and the fixed shapes. While it stays the same, it is copied to every frame.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Context} Context
@@ -10,36 +9,45 @@
 const SQUARE = 44;
 
 export class Backdrop {
-  #painted = "";
-  ratio = 1;
+  /** Content of the last frame, and content of the copy. */
+  #shown = "";
+  #copied = "";
+  #context;
 
   constructor() {
     const context = new OffscreenCanvas(1, 1).getContext("2d", { alpha: false });
     if (!context) throw new Error("no 2d context");
-    this.context = context;
+    this.#context = context;
   }
 
   /**
-   * Covers a surface with the backdrop.
+   * Covers a surface with the backdrop. Content that differs from that of the last frame is painted on the surface itself, because
+   * the next frame may differ again. Content shown a second time is copied.
    * @param {import("assur/canvas/surface.js").Surface} surface
    * @param {string} key identifies the content: a different key means different content
-   * @param {() => void} paint paints the content, called only if it has changed
+   * @param {(target: import("assur/canvas/painter.js").Target) => void} paint paints the content
    */
   cover(surface, key, paint) {
-    const { canvas } = this.context;
+    const { context, ratio } = surface;
     const { width, height } = surface.canvas;
-    const wanted = `${key} ${width}×${height} ${surface.ratio}`;
-    if (wanted !== this.#painted) {
-      this.#painted = wanted;
-      this.ratio = surface.ratio;
+    const wanted = `${key} ${width}×${height} ${ratio}`;
+    if (wanted !== this.#shown) {
+      this.#shown = wanted;
+      surface.toPixels();
+      paint(surface);
+      return;
+    }
+    const { canvas } = this.#context;
+    if (wanted !== this.#copied) {
+      this.#copied = wanted;
       // Setting the size of a canvas, even to the same value, clears and reallocates it.
       if (canvas.width !== width) canvas.width = width;
       if (canvas.height !== height) canvas.height = height;
-      this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-      paint();
+      this.#context.setTransform(ratio, 0, 0, ratio, 0, 0);
+      paint({ context: this.#context, ratio });
     }
-    surface.context.setTransform(1, 0, 0, 1, 0, 0);
-    surface.context.drawImage(canvas, 0, 0);
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(canvas, 0, 0);
     surface.toPixels();
   }
 }

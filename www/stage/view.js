@@ -314,7 +314,7 @@ export class MechanismView {
     if (this.#kept) this.#keep();
     const { view } = this;
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
-    this.#backdrop.cover(this.#surface, key, () => this.#figure.paintGround(this.#backdrop, this.#surface, view));
+    this.#backdrop.cover(this.#surface, key, (target) => this.#figure.paintGround(target, this.#surface, view));
     for (const { paint } of this.#under) paint(this.#surface.context, view, this.#theme);
     this.#figure.paintMoving(this.#surface, view);
     this.#paintRing(view);
