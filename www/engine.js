@@ -29,7 +29,7 @@ export class Engine {
   #compared = new Compared(() => new module.Simulator());
   /** Number of earlier instances of the module. */
   #instances = 0;
-  /** Whether a call has trapped since the engine last accepted a state. */
+  /** Whether the engine's last failure was a trap. False once the engine accepts a state. */
   trapped = false;
   /** @type {readonly string[]} */
   roles = module.roleNames();
@@ -133,7 +133,7 @@ export class Engine {
   /**
    * @param {import("assur/canvas/painter.js").Context} context
    * @param {import("assur/types/web.js").ChartRequest} request
-   * @returns {import("assur/types/web.js").ChartLayout} layout of the text
+   * @returns {import("assur/types/web.js").ChartLayout} layout of the plots, by which the page adds their text
    */
   chart(context, request) {
     const on = /** @type {CanvasRenderingContext2D} */ (context);
@@ -151,8 +151,8 @@ export class Engine {
   }
 
   /**
-   * Makes a call of the engine. If it fails without problems, the instance is broken, and a new one takes over. This also
-   * holds if the second part did not load: the exception left the first part in the middle of a call.
+   * Makes a call of the engine. An error without `problems` means that the instance is broken, and a new one takes
+   * over. This is also so if the second part did not load: the exception left the first part in the middle of a call.
    * @template T
    * @param {() => T} call
    * @returns {T}

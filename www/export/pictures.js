@@ -134,7 +134,8 @@ function blank() {
 }
 
 /**
- * Makes a picture of the plots with a legend of their curves below. The page explains the colours in a table, which is not exported.
+ * Makes a picture of the plots with a legend of their curves above. On the page, a table explains the colours; it is
+ * not exported.
  * @param {import("assur/plots/chart.js").ChartView} chart
  * @param {Theme} theme
  * @param {import("assur/core/words.js").Words} words

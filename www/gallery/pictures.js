@@ -7,7 +7,7 @@ import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {() => Promise<State | null>} Source loads the state of a picture; null if that fails
+ * @typedef {() => Promise<State | null>} Source loads the state of a picture; null if its document does not exist
  * @typedef {{ figure: Figure, bounds: readonly number[] }} Sketch
  */
 

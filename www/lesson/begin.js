@@ -9,7 +9,8 @@ import { withExtras, withView } from "assur/state/state.js";
  * Opens a lesson at a step, with the mechanism of this step.
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/lesson/offer.js").Entry} entry
- * @param {number} [step] number of the step, from 1; by default the first step still open
+ * @param {number} [step] number of the step, from 1; by default the first step neither solved nor shown, or 1 if there
+ * is none
  */
 export async function begin(page, entry, step) {
   const { lesson: { steps }, presets } = await readLesson(entry);

@@ -37,10 +37,11 @@ import { holds, open } from "assur/lesson/show.js";
  *   within?: number, unit?: string, round?: boolean, integer?: boolean, choices?: readonly string[],
  *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
  * }>} Question
- * `answer`: the engine's answer for the current mechanism, a number or one of the `choices`; undefined if there is none. `within`:
- * tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored. `integer`: whether the number is a
- * count, so that `ID.right` has plural forms. `places`: further numbers in `ID.right`. `hides`: ids of read-outs that give the answer
- * away. The page hides them until the question is answered or the answer is shown.
+ * `answer`: the engine's answer for the current mechanism, a number or one of the `choices`; undefined if there is
+ * none. `within`: tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored.
+ * `integer`: whether the number is a count, so that `ID.right` has plural forms. `places`: further numbers in
+ * `ID.right`, for a count only. `hides`: ids of read-outs that give the answer away. The page hides them until the
+ * question is answered or the answer is shown.
  */
 
 /**

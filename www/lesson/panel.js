@@ -378,7 +378,7 @@ export class LessonPanel {
     this.#said.scrollIntoView({ block: "nearest" });
   }
 
-  /** Writes the number of finished steps. */
+  /** Writes the reader's progress: the number of the open step, and the numbers of solved and shown steps. */
   #count() {
     const number = this.#step.id === END ? null : this.#steps.indexOf(this.#step) + 1;
     write(this.#walked, progressSaid(number, this.steps().length, this.#progress, this.#words));

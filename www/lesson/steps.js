@@ -13,7 +13,8 @@ export const READERS = Object.freeze(["lang", "lesson", "projector", "drawing"])
 
 /**
  * @param {import("assur/app/page.js").Page} page
- * @returns {NonNullable<Step["shows"]>} the document and view of the page
+ * @returns {NonNullable<Step["shows"]>} the page's document, and the fields of its view that differ from the defaults
+ * and do not belong to the reader
  */
 export function shownNow({ model: { lastAccepted: { kind, document, view } } }) {
   const usual = /** @type {Record<string, unknown>} */ (usualView(RESTING));

@@ -1,4 +1,4 @@
-// Numbers that differ from student to student: their choice and their ranges.
+// Numbers of a lecturer's lesson that differ from reader to reader: their choice and their ranges.
 import { fieldName } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { parseNumber } from "assur/core/numbers.js";

@@ -28,10 +28,10 @@ const MAX_NAME = 80;
 const MAX_ANSWER = 60;
 
 /**
- * Opens a step's document with numbers set by `name`.
+ * Opens a step's document with the reader's own numbers.
  * @param {Written} lesson
  * @param {number} index
- * @param {string} name
+ * @param {string} name name of the reader; if it is empty, the lecturer's numbers are used
  * @param {import("assur/app/page.js").Page} page
  * @param {Partial<import("assur/state/state.js").View>} [further] further fields of the view
  */

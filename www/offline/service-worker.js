@@ -12,7 +12,7 @@
 
 const worker = /** @type {ServiceWorkerGlobalScope} */ (self);
 
-/** Number of the build, then names of the files. */
+/** Hash that identifies the build, then names of the files. */
 const [BUILD, ...FILES] = worker.version.split(" ");
 const { scope } = worker.registration;
 const PREFIX = `assur ${scope} `;

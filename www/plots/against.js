@@ -22,8 +22,8 @@ const TAG = 17;
 const DASHES = [4, 4];
 
 /**
- * Greatest difference, in pixels, of the distances at which two passes of the curve by the pointer count as equally
- * near. Of these passes, the one nearest to the current input is taken.
+ * Tolerance, in pixels, within which several passes of the curve by the pointer count as equally near. Of these passes,
+ * the one with the input nearest to the current input is taken.
  */
 const ALIKE = 4;
 

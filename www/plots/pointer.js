@@ -113,7 +113,7 @@ export class ChartPointer {
   /**
    * @param {PointerEvent} event
    * @param {number} beyond
-   * @returns {number | null} the input under the pointer; null if there is no plot or it is farther away than `beyond`
+   * @returns {number | null} the input under the pointer; null if no plot is within `beyond` pixels
    */
   #angle({ clientX, clientY }, beyond) {
     const { left: x, top: y } = this.#canvas.getBoundingClientRect();

@@ -42,7 +42,8 @@ export function paintTag(context, { left, top, width, tall }, { text, colour, in
 
 /**
  * @param {Tags} tags
- * @returns {readonly Box[]} places of the tags: to the right of the line, or to the left if they cover fewer labels there
+ * @returns {readonly Box[]} places of the tags: to the right of the line, or to the left if they do not fit on the
+ * right or cover fewer labels on the left
  */
 export function placedTags(tags) {
   const { widths, x, off, room } = tags;

@@ -33,7 +33,7 @@ export function inDegrees({ kind, order }) {
 }
 
 /**
- * Writes a value for the labels of a panel, with as many decimals as give the span of the axis four digits.
+ * Writes a value for the labels of a panel. The number of decimals gives the span of the axis four digits.
  * @param {Scale} panel
  * @param {number} value
  * @param {import("assur/core/numbers.js").Numbers} numbers

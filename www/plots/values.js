@@ -2,7 +2,10 @@
 import { degrees } from "assur/core/angles.js";
 import { isLength } from "assur/core/symbols.js";
 
-/** Numbers are written with three decimals, from `LARGE` up with one, and from `HUGE` up with six digits at most. */
+/**
+ * Limits of absolute values. Below `LARGE`, and for angles below `HUGE`, numbers have three decimals. From `LARGE` up
+ * they have one, from `HUGE` up at most six digits.
+ */
 const LARGE = 1e3;
 const HUGE = 1e6;
 

@@ -1,13 +1,14 @@
-// Files by their paths with forward slashes, as the outputs of the build are put together from them.
+// Folders as maps from paths to files, from which the outputs of the build are assembled. Paths in a folder have
+// forward slashes on every system.
 import { mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { lookup } from "mrmime";
 
-/** @typedef {Map<string, Buffer>} Files by their paths below one folder */
+/** @typedef {Map<string, Buffer>} Files contents of files by their paths in one folder */
 
 /**
  * @param {string} folder
- * @returns {Map<string, string>} where each file of the folder is, by its path in it, hidden ones and tests left out
+ * @returns {Map<string, string>} locations of the files by their paths in the folder, without hidden files and tests
  */
 export function list(folder) {
   const entries = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
@@ -57,7 +58,7 @@ export function write(folder, files) {
 }
 
 /**
- * Writes a folder anew, beside the old one, which it replaces when it is whole.
+ * Replaces a folder by a new one. The old folder stays until all files of the new one are written.
  * @param {string} folder
  * @param {ReadonlyMap<string, string | Uint8Array>} files
  */

@@ -1,5 +1,5 @@
-// Prints the numbers of the engine's functions that a first view uses, as a list in JSON. It makes the calls of a first view in a module
-// that marks each function when it is called.
+// Prints the indices of the engine's functions that a first view calls, as a JSON array. The script repeats the calls
+// of a first view on a module that marks each function when it is called.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";

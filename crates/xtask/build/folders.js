@@ -1,13 +1,14 @@
-// Lessons and kinds of document, found by their folders in `www/lessons` and `www/kinds`: no script names one.
+// Lists of the lessons and of the kinds of document. The build finds both by their folders in `www/lessons` and
+// `www/kinds`, so no script has to list them.
 import { readFileSync } from "node:fs";
 
-/** @typedef {ReadonlyMap<string, string>} Sources where each file of `www` is, by its path in it */
+/** @typedef {ReadonlyMap<string, string>} Sources locations of the page's source files by their paths in `www` */
 /** @typedef {Record<string, string>} Table texts by their keys */
 
-/** The name in a state of a lesson that is saved in the state itself. */
+/** Id of a lecturer's lesson, which is stored in the state. No folder may have this name. */
 const OWN = "own";
 
-/** Of a lesson's words those that the page has before it is opened, under `lessons.ID.…`. */
+/** Keys of a lesson's words that the page shows before the lesson is opened; `lessons.ID.KEY` in the page's table. */
 const CALLED = Object.freeze(["title", "line"]);
 
 /**
@@ -44,11 +45,12 @@ function onlyKnown(facts, known, place) {
 
 /**
  * @param {Sources} sources
- * @returns {{ id: string, about: string[], presets: boolean, paper: boolean, notes: boolean }[]} the lessons in their order
+ * @returns {{ id: string, about: string[], presets: boolean, paper: boolean, notes: boolean }[]}
+ * the lessons in the order of their `place`. A lesson without `place` comes last
  */
 export function lessons(sources) {
   const found = within(sources, "lessons").map((id) => {
-    // A state takes no other names.
+    // A state with any other id of a lesson is refused.
     if (!/^[a-z0-9-]+$/.test(id)) throw new Error(`the lesson ${id}: a name has small letters, digits and hyphens only`);
     if (id === OWN) throw new Error(`the lesson ${id}: this is the name of one that is saved in the state`);
     for (const file of ["lesson.js", "words.en.json"]) {
@@ -69,7 +71,8 @@ export function lessons(sources) {
 
 /**
  * @param {Sources} sources
- * @returns {{ id: string, first: boolean }[]} the kinds; a first visit begins with a `first` one, which comes with the page
+ * @returns {{ id: string, first: boolean }[]} the kinds. `first`: whether the first view includes the kind, because a
+ * first visit shows it
  */
 export function kinds(sources) {
   return within(sources, "kinds").map((id) => {
@@ -84,7 +87,7 @@ export function kinds(sources) {
 
 /**
  * @param {Sources} sources
- * @returns {Map<string, string>} the text of each module that lists folders
+ * @returns {Map<string, string>} source texts of the modules that list the folders, by the names of the modules
  */
 export function lists(sources) {
   const found = lessons(sources);
@@ -104,11 +107,11 @@ export function lists(sources) {
 }
 
 /**
- * The words of the page in one language: those of `lang`, those of the kinds, and what the lessons are called.
+ * Collects the words of the page in one language: from `lang`, from the kinds, and for the gallery from the lessons.
  * @param {Sources} sources
- * @param {string} own the file of `lang`
+ * @param {string} own location of the language's file in `lang`
  * @param {string} language
- * @returns {Table} in the order of the keys, which packs best
+ * @returns {Table} sorted by key, the order that compresses best
  */
 export function words(sources, own, language) {
   const table = json(own, own);

@@ -1,6 +1,7 @@
-// The page as a folder for any host of plain files. Every file is called by the hash of what is in it, so that browsers may keep it for
-// ever; only the import map and the links of `index.html` say these names. A service worker keeps all of it for days without a network,
-// and a Content-Security-Policy lets nothing run that is not of the page. No address begins at a root: it works below any path.
+// The page as a folder for any host of static files. Most files are named by the hash of their content, so that
+// browsers may keep them for ever. Only `index.html` and the service worker contain these names. The service worker
+// stores the page for use without a network. A Content-Security-Policy allows only the page's own scripts. All
+// addresses in the page are relative, so that the folder works below any path.
 import { hash } from "node:crypto";
 import path from "node:path";
 import { promisify } from "node:util";
@@ -9,19 +10,19 @@ import { text } from "./files.js";
 import { FOLDER as NOTES } from "./notes.js";
 import { Page, inline } from "./page.js";
 
-/** The element for other pages, which name it. */
+/** Script of the element for other pages. It keeps its name, because those pages load it by name. */
 export const ELEMENT = "assur-mechanism.js";
 
-/** What the browser looks for beside the page. */
+/** Service worker. It is in the same folder as the page, because it controls only pages in its own folder and below. */
 const WORKER = "service-worker.js";
 
-/** The place of files that never change under their names: a host can say so by one rule. */
+/** Folder of the files that are named by hash and so never change. One rule of the headers covers them all. */
 const FIXED = "files/";
 
-/** The headers, in the form that several hosts read. */
+/** File of the HTTP headers, in the format that several hosts read. */
 const HEADERS = "_headers";
 
-/** What keeps its name, or is made anew here. */
+/** Files not named by hash: they keep their names, are written anew below or, like `mechanisms.html`, are left out. */
 const NAMED = new RegExp(`\\.html$|^offline/|^${ELEMENT}$`);
 
 /**
@@ -68,15 +69,15 @@ export function hosted(built, index) {
 
 const LEVEL = Object.freeze({ params: { [constants.BROTLI_PARAM_QUALITY]: constants.BROTLI_MAX_QUALITY } });
 
-/** How a file is packed, by the ending of the packed one. */
+/** Methods of compression, by the ending of the compressed file. */
 const PACKERS = Object.freeze({
   br: (/** @type {string | Buffer} */ content) => promisify(brotliCompress)(content, LEVEL),
   gz: (/** @type {string | Buffer} */ content) => promisify(gzip)(content, { level: constants.Z_BEST_COMPRESSION }),
 });
 
 /**
- * Packs each file beside itself, for hosts that send what is packed. Packing the engine takes seconds: what an earlier build packed
- * under the same hash is taken from it.
+ * Adds a compressed copy of each file, if it is smaller, for hosts that send such copies. Compressing the engine takes
+ * seconds, so copies of files named by hash are taken from an earlier build if it has them.
  * @param {ReadonlyMap<string, string | Buffer>} files
  * @param {ReadonlyMap<string, Buffer>} earlier
  * @returns {Promise<Map<string, string | Buffer>>}
@@ -95,7 +96,7 @@ export async function packed(files, earlier) {
 }
 
 /**
- * Lets run what is of the page, its inline scripts and style sheets by their hashes.
+ * Makes the Content-Security-Policy. It allows the page's files, and inline scripts and style sheets by their hashes.
  * @param {readonly string[]} pages
  */
 function contentSecurityPolicy(pages) {
@@ -110,7 +111,7 @@ function contentSecurityPolicy(pages) {
 }
 
 /**
- * Who puts the page into a frame is not asked: it is there to be embedded.
+ * Makes the content of `_headers`. The headers do not restrict framing, because the page is meant to be embedded.
  * @param {string} policy
  */
 function headers(policy) {

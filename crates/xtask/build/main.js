@@ -1,4 +1,5 @@
-// The build of the page, as `cargo xtask` calls it: `site` writes what is served, `dist` what is given away of it.
+// Program that builds the page, run by `cargo xtask`. `site` writes the page to be served. `dist` writes the page in
+// one file, the folder for a host and the npm package.
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
@@ -14,13 +15,13 @@ const { root, target, version } = values;
 const [what, more] = positionals;
 const folder = path.join(target, more ? "site.more" : "site");
 
-/** Writes the page, with a folder of more lessons and kinds in a place of its own. */
+/** Writes the page. A page with additional lessons and kinds goes to a separate folder. */
 async function writeSite() {
   replace(folder, await site({ root, more, version }));
   console.log(`==> page: built in ${folder}`);
 }
 
-/** Writes the page in one file, the folder for a host, and the package. */
+/** Writes the page in one file, the element for other pages, the folder for a host, and the npm package. */
 async function writeDist() {
   const to = path.join(root, "dist");
   const built = read(folder);

@@ -1,4 +1,4 @@
-// One page of links to every mechanism of the tests, each of which opens it on the page beside.
+// The page `mechanisms.html`, with links that open the mechanisms of the tests in the page `index.html` beside it.
 import { readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { list } from "./files.js";
@@ -6,21 +6,21 @@ import { list } from "./files.js";
 /** The name of the page in the site. */
 export const MECHANISMS = "mechanisms.html";
 
-/** Made by the engine, without a file. */
+/** Mechanisms of the catalogue that have no file, because the engine makes them. */
 const MIXERS = Object.freeze(["mixer-a", "mixer-b", "mixer-c"]);
 
-/** Drawings that do not move: a linkage would be refused, as a draft they can be drawn on. */
+/** Files of drawings that do not move. They would be refused as linkages, so they are opened as drafts. */
 export const UNMOVING = Object.freeze(["lengths-alone", "undirected-line", "undirected-link", "nan-angle", "nan-line"].map((name) => `${name}.json`));
 
-/** Of the view what an address must have. */
+/** Fields of the view that every address must have. */
 const VIEW = Object.freeze({ phi_deg: 0, playing: false, direction: 1, speed: 1, traces: true, lang: "en" });
 
 /** @typedef {{ format?: number, kind?: string, lesson?: unknown, document: object, view?: object }} Whole */
-/** @typedef {Whole & { from?: string }} Preset of a lesson, which may say only how it differs from another */
+/** @typedef {Whole & { from?: string }} Preset of a lesson; with `from`, only its differences from that preset */
 
 /**
  * @param {Whole} state
- * @returns {string} what follows the # of its address, every value as JSON
+ * @returns {string} part of the state's address after the #, with every value as JSON
  */
 function address({ format = 2, kind, lesson, document, view }) {
   const encoded = (/** @type {unknown} */ value) => encodeURIComponent(JSON.stringify(value));
@@ -42,7 +42,7 @@ function whole(name, value) {
 /**
  * @param {Readonly<Record<string, Preset>>} all presets of a lesson
  * @param {string} id
- * @returns {Whole} the preset with what it takes from another
+ * @returns {Whole} the preset, completed from the preset that it is based on
  */
 function entire(all, id) {
   const { from, ...own } = all[id];
@@ -53,7 +53,8 @@ function entire(all, id) {
 
 /**
  * @param {string} root of the repository
- * @returns {{ title: string, rows: { name: string, hash: string }[] }[]} the mechanisms by where they are from, with what follows the # of their addresses
+ * @returns {{ title: string, rows: { name: string, hash: string }[] }[]} the mechanisms, grouped by origin. `hash`:
+ * part of the address after the #
  */
 export function mechanisms(root) {
   const read = (/** @type {string} */ place) => readFileSync(path.join(root, place), "utf8");

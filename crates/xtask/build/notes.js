@@ -1,15 +1,15 @@
-// The notes beside the page: documents of the repository and of its lessons, for teachers, as pages to read.
+// Notes as HTML pages beside the page: documents of the repository, and notes for teachers from the lessons.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { Marked } from "marked";
 
-/** The folder of the repository and of the site. */
+/** Folder of the documents in the repository, and of the notes in the site. */
 export const FOLDER = "docs";
 
-/** Those of the repository that are for readers of the page. */
+/** Documents of the repository that are published with the page. */
 const NOTES = Object.freeze(["errata", "file-format"]);
 
-/** Those of a lesson, in a language. */
+/** Path of a lesson's notes in one language. */
 export const OF_LESSON = /^lessons\/([^/]+)\/notes\.(\w+)\.md$/;
 
 const head = (/** @type {string} */ lang) => `<!doctype html>
@@ -33,8 +33,8 @@ const FOOT = "</body>\n</html>\n";
 
 /**
  * @param {string} root of the repository
- * @param {ReadonlyMap<string, string>} sources where each file of `www` is
- * @returns {Map<string, string>} the notes by their places in the site, `mixer.kk` of a lesson
+ * @param {ReadonlyMap<string, string>} sources locations of the page's source files by their paths in `www`
+ * @returns {Map<string, string>} the notes by their paths in the site, such as `docs/mixer.kk.html` for a lesson
  */
 export function notes(root, sources) {
   const found = NOTES.map((name) => ({ name, lang: "en", file: path.join(root, FOLDER, `${name}.md`) }));
@@ -48,7 +48,7 @@ export function notes(root, sources) {
 /**
  * @param {string} markdown
  * @param {string} lang
- * @returns {string} a page; its links to notes lead to their pages
+ * @returns {string} an HTML page, with links to published documents changed to links to their pages
  */
 export function note(markdown, lang) {
   const marked = new Marked({

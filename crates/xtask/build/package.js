@@ -1,4 +1,5 @@
-// The engine as a package of npm: the wasm side of the built page with its types, a README and an example, packed by `npm pack`.
+// The npm package of the engine: the engine's script from the built page, the whole wasm module, types, licences and
+// the files of `crates/assur-web/npm`.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import path from "node:path";
@@ -26,12 +27,12 @@ export function pack({ root, site, staging, to, version }) {
     ["types/file.d.ts", "crates/assur-file/types.d.ts"],
     ["types/web.d.ts", "crates/assur-web/types.d.ts"],
   ]) {
-    // In the workspace, types are named from the root of the page.
+    // In the repository, modules of types are imported by bare names; in the package, by relative paths.
     files.set(name, readFileSync(path.join(root, place), "utf8").replaceAll('"assur/types/', '"../types/'));
   }
   replace(staging, files);
   mkdirSync(to, { recursive: true });
-  // On Windows npm is a script of the shell.
+  // On Windows, npm is a shell script and needs a shell to run.
   const shell = process.platform === "win32";
   execFileSync("npm", ["pack", "--silent", "--pack-destination", to], { cwd: staging, shell, stdio: ["ignore", "ignore", "inherit"] });
 }

@@ -1,16 +1,17 @@
-// `index.html`, as each output has it. An element with `data-in` is only in the outputs that it names: `site` is what is served, `host`
-// the folder for a host, `file` the page in one file.
+// `index.html` for each output. An element with `data-in` is only in the outputs that the attribute names: `site` is
+// the served page, `host` the folder for a host, `file` the page in one file.
 import { parse } from "node-html-parser";
 
 /** @typedef {import("./folders.js").Table} Table */
 /** @typedef {"site" | "host" | "file"} Output */
 
-/** The language of the title, and the first of every text in all languages. */
+/** Language of the title, and first language where a text is given in all languages. */
 const FIRST = "en";
 
 /**
- * Fills the places `{{key}}` of the page. A reader whose browser runs no script has chosen no language either, so a place holds the text
- * in all of them; only a title is short enough for just one. `{{version}}` is the version, `{{languages}}` the languages.
+ * Fills the placeholders `{{key}}` of the page. No language is chosen before scripts run, so a placeholder gets the
+ * text in all languages. Only the title has to be short and gets one language. `{{version}}` stands for the version,
+ * `{{languages}}` for the codes of the languages.
  * @param {string} page
  * @param {ReadonlyMap<string, Table>} tables by language
  * @param {string} version
@@ -33,12 +34,12 @@ export function fill(page, tables, version) {
   return filled;
 }
 
-/** @param {string} text to stand as text, or in a quoted attribute */
+/** @param {string} text text to be escaped for an element's content or for a quoted attribute */
 function escaped(text) {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
 }
 
-/** The page as a tree, to be rewritten for one output. */
+/** The page as a tree of elements, to be changed for one output. */
 export class Page {
   #tree;
 
@@ -54,21 +55,21 @@ export class Page {
     }
   }
 
-  /** @param {string} selector of the one element that is meant */
+  /** @param {string} selector selector that must match exactly one element */
   #one(selector) {
     const [element, another] = this.#tree.querySelectorAll(selector);
     if (!element || another) throw new Error(`index.html has ${element ? "more than one" : "no"} ${selector}`);
     return element;
   }
 
-  /** @param {Record<string, string>} imports addresses of files by the names that modules call them */
+  /** @param {Record<string, string>} imports addresses of files by the bare names that scripts use */
   setImportMap(imports) {
-    // What is put in may not end its element.
+    // A `</script>` in the map would end the element.
     const map = JSON.stringify({ imports }).replaceAll("<", "\\u003c");
     this.#one("script[type=importmap]").set_content(map, { comment: true });
   }
 
-  /** @param {(name: string) => string} address of a file that the head links to */
+  /** @param {(name: string) => string} address returns the address of a file in a `link` element */
   setLinks(address) {
     for (const link of this.#tree.querySelectorAll("link[href]")) {
       const name = link.getAttribute("href") ?? "";
@@ -76,7 +77,7 @@ export class Page {
     }
   }
 
-  /** @param {(name: string) => string} style what stands in a style sheet of the first view */
+  /** @param {(name: string) => string} style returns the content of a style sheet */
   putStylesInside(style) {
     for (const link of this.#tree.querySelectorAll("link[rel=stylesheet]")) {
       const content = style(link.getAttribute("href") ?? "").replaceAll("</", "<\\/");
@@ -85,14 +86,14 @@ export class Page {
   }
 
   /**
-   * @param {string} selector of a `meta`
+   * @param {string} selector attribute that identifies a `meta` element, such as `name="build"`
    * @param {string} content
    */
   setMeta(selector, content) {
     this.#one(`meta[${selector}]`).setAttribute("content", content);
   }
 
-  /** @returns {string} without comments and indentation */
+  /** @returns {string} the page as text, without comments and indentation */
   text() {
     const lines = this.#tree.toString().split("\n").map((line) => line.trim());
     return `${lines.filter((line) => line !== "").join("\n")}\n`;
@@ -102,7 +103,7 @@ export class Page {
 /**
  * @param {string} page
  * @param {"script" | "style"} element
- * @returns {string[]} what stands in the elements of this name
+ * @returns {string[]} contents of the elements of this name, without empty ones
  */
 export function inline(page, element) {
   const all = parse(page).querySelectorAll(element).map(({ rawText }) => rawText);

@@ -1,21 +1,26 @@
-// The papers that lessons are about: of each item what is printed, as MathML for the page, and where it stands, as a document.
+// Items of the papers that lessons are about: their formulas as MathML for the page, and a document that lists where
+// each item is treated.
 import temml from "temml";
 
 /**
- * @typedef {"right" | "misprint" | "scan" | "false" | "unprovable"} Verdict whether an item holds; a misprint may be the scan's
+ * @typedef {"right" | "misprint" | "scan" | "false" | "unprovable"} Verdict whether an item holds as printed.
+ * `misprint`: an error of the print or of the scan. `scan`: not legible in the scan. `unprovable`: neither proved nor
+ * refuted
  * @typedef {Readonly<{
  *   item: string, step: string, printed?: readonly string[], instead?: readonly string[], verdict?: Verdict, shown?: boolean, engine?: string, test?: string,
  * }>} Item
- * An item of a paper by its id: the step of the lesson that it belongs to, `end` for what closes the lesson; its formulas in LaTeX and those that hold
- * instead; `right` where there is no verdict; `shown` where its numbers do not give the answer to the question of the step away; a file and a symbol of the engine, a file and a test.
+ * An item of a paper. `item`: its id. `step`: id of the step of the lesson that it belongs to; `end` for the end of the
+ * lesson. `printed`, `instead`: formulas in LaTeX as printed, and correct formulas. `verdict`: by default `right`.
+ * `shown`: true if its numbers do not give the answer to the step's question away. `engine`: a file and a symbol of the
+ * engine. `test`: a file and a test.
  */
 
 /**
  * @param {string} latex
- * @returns {string} the formula as an element of MathML, without style attributes, which a hosted page forbids
+ * @returns {string} the formula as MathML, without style attributes, which the Content-Security-Policy forbids
  */
 export function mathml(latex) {
-  // A prime stands raised in every font: as a superscript it would be tiny.
+  // Fonts draw the prime sign raised and small. As a superscript it would be tiny.
   const primed = latex.replaceAll("''", "\\mathord{″}").replaceAll("'", "\\mathord{′}");
   const text = temml.renderToString(primed, { throwOnError: true, displayMode: true, wrap: "none" });
   return text.replaceAll(/ (style|class)="[^"]*"/g, "").replaceAll(/<menclose[^>]*>(.*?)<\/menclose>/g, "<mover>$1<mo>¯</mo></mover>");
@@ -23,7 +28,7 @@ export function mathml(latex) {
 
 /**
  * @param {string} text of `paper.json` in the folder of a lesson
- * @returns {string} what the page reads of it
+ * @returns {string} the fields that the page reads, as JSON, with formulas in MathML
  */
 export function built(text) {
   const items = /** @type {Item[]} */ (JSON.parse(text));
@@ -32,8 +37,8 @@ export function built(text) {
 
 /**
  * @param {readonly { lesson: string, items: readonly Item[] }[]} papers
- * @param {number} all items of all papers
- * @returns {string} the document that says where each item stands
+ * @param {number} all number of items of all papers
+ * @returns {string} document, in Markdown, that lists where each item is treated
  */
 export function listed(papers, all) {
   const count = papers.reduce((sum, { items }) => sum + items.length, 0);

@@ -1,22 +1,24 @@
-// The scripts of the built page, bundled by Rolldown: those of the first view in one chunk, and one chunk for each part that is
-// loaded later. Chunks keep the names of their modules and import each other by bare names (`assur/…`), so that an import map
-// can give each file any address: no chunk changes because another one did.
+// The scripts of the built page, bundled by Rolldown into one chunk for the first view and one for each part that is
+// loaded later. Chunks have the names of modules and import each other by bare names (`assur/…`), so that an import map
+// can give each file any address. A change of one chunk then changes no other chunk.
 import path from "node:path";
 import { rolldown } from "rolldown";
 import { lists } from "./folders.js";
 
 /** @typedef {import("./folders.js").Sources} Sources */
 
-/** The module that the first view begins with, and its chunk. */
+/** Entry module of the first view, and name of its chunk. */
 const FIRST = "app/main.js";
 
-/** The engine's module, a script of its own: programs that use the engine without the page import it by the same name. */
+/** Script of the engine. It is a separate file, because the npm package contains it without the page. */
 const ENGINE = "pkg/assur_web.js";
 
-/** Scripts that are bundled each by itself, with all that it imports: workers, the element for other pages, the engine's module. */
+/**
+ * Scripts that are bundled separately with everything they import: workers, the element for other pages, the engine.
+ */
 const ALONE = /(^|[/-])worker\.js$|^assur-mechanism\.js$|^pkg\/assur_web\.js$/;
 
-/** A chunk that is not kept. */
+/** Name of the entry chunk if it contains no module. This chunk is dropped. */
 const ENTRY = "entry.js";
 
 const PREFIX = "assur/";
@@ -54,13 +56,14 @@ export async function bundle(sources) {
       plugins: [plugin],
       // Parts that are loaded later import from the chunk of the first view.
       preserveEntrySignatures: "allow-extension",
-      // A warning is a fault, but that a machine is slow is none.
+      // Warnings are treated as errors, except those about slow bundling, which depend on the machine.
       checks: { bundlerTimings: false },
       onLog: (level, { message }) => {
         if (level === "warn") throw new Error(message);
       },
     });
-    // Names of exports stay: short ones would change with what other chunks import. Of comments only notices of licences stay.
+    // Exports keep their names, because short names would change with the imports of other chunks. Only comments with
+    // notices of licences are kept.
     const comments = { legal: true, annotation: false, jsdoc: false };
     const { output } = await build.generate({ minify: true, comments, minifyInternalExports: false, ...options });
     return output.filter((file) => file.type === "chunk");
@@ -80,7 +83,7 @@ export async function bundle(sources) {
     },
     PREFIX + ENGINE,
   );
-  // Where something is loaded later, the entry is a chunk of its own that only imports the first view.
+  // If a part is loaded later, the entry is a separate chunk that only imports the first view. This chunk is dropped.
   for (const { fileName, code } of chunks.filter(({ fileName }) => fileName !== ENTRY)) {
     const absolute = (/** @type {string} */ name) => PREFIX + path.posix.join(path.posix.dirname(fileName), name);
     scripts.set(fileName, code.replace(RELATIVE, (_, before, quote, name) => `${before}${quote}${absolute(name)}${quote}`));

@@ -1,9 +1,11 @@
-// A server of one folder for this machine only. `cargo xtask serve` runs it, and the tests of the page, which steer it line by line:
+// A server of one folder, for this machine only. `cargo xtask serve` runs it, and so do the tests of the page, which
+// control it by lines of its input:
 //
-//   serve FOLDER   another folder is served from now on
-//   down, up       nothing is answered any more, or everything again
+//   serve FOLDER   serve another folder from now on
+//   down, up       answer no more requests; answer them again
 //
-// Each line is answered by one; the first line says the address. It ends when its input does, so that it outlives nobody.
+// The first line of output is the address; then each line of input is repeated after it is carried out. The server ends
+// when its input ends, so that it does not outlive the program that started it.
 import { existsSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import path from "node:path";
@@ -11,7 +13,7 @@ import { createInterface } from "node:readline";
 import { parseArgs } from "node:util";
 import sirv from "sirv";
 
-/** How many ports after the wished one are tried. */
+/** Number of further ports that are tried if the wanted port is taken. */
 const PORTS = 100;
 
 const { positionals, values } = parseArgs({
@@ -26,8 +28,9 @@ let answer = folder(positionals[0]);
 
 /**
  * @param {string} root
- * @returns {ReturnType<typeof sirv>} what answers with its files: packed ones to who takes them, with the headers that `_headers` asks
- * for; without that file nothing is to be kept
+ * @returns {ReturnType<typeof sirv>} function that answers requests with the files of the folder, compressed if the
+ * browser accepts that, and with the headers in its file `_headers`. Without that file, the headers forbid browsers to
+ * store anything
  */
 function folder(root) {
   const rules = path.join(root, "_headers");
@@ -48,7 +51,7 @@ function folder(root) {
 }
 
 /**
- * @param {string} text lines of paths, each followed by lines `  NAME: VALUE`, or `  ! NAME` for a header that is taken away
+ * @param {string} text lines of paths, each followed by lines `  NAME: VALUE`, or `  ! NAME` to remove a header
  * @returns {{ prefix: string, name: string, value: string | null }[]}
  */
 function parseHeaders(text) {

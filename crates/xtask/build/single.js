@@ -1,16 +1,16 @@
-// The page in one file, which opens by double-click: no server, no network. A page opened from a file may load no module and fetch no
-// file beside it. But scripts name all that they load by bare names, so it is enough that the import map says `data:` addresses.
+// The page in one file, which opens by double-click, without server or network. A page opened from a file may not load
+// modules or fetch files beside it. Scripts load everything by bare names, so the import map can use `data:` addresses.
 import { gzipSync } from "node:zlib";
 import { dataAddress, text } from "./files.js";
 import { Page } from "./page.js";
 
-/** Not for a page from the disk: notes, which are documents of their own, what a host needs, the element for other pages, the second part of the engine. */
+/** Files that are left out: HTML pages, files for a host, the element for other pages, the engine's second part. */
 const OUTSIDE = /\.html$|^offline\/|^assur-mechanism\.js$|^pkg\/second\.wasm$/;
 
 /** Name by which the page loads the first part of the engine. Here it is the whole engine. */
 const FIRST = "pkg/first.wasm";
 
-/** What is three times as small packed: the engine, and tables, most of them in four languages. */
+/** Files that are compressed, to about a third of their size: the engine and tables. */
 const PACKED = /\.(wasm|json)$/;
 
 /**
@@ -34,7 +34,7 @@ export function single(built, index, engine) {
 }
 
 /**
- * The page unpacks it by its media type.
+ * Makes a `data:` address of a compressed file. The page decompresses files of this media type.
  * @param {Buffer} content
  */
 function packed(content) {

@@ -1,4 +1,5 @@
-// The built page, as it is served: scripts bundled, style sheets joined, words of all languages in their tables, the engine in `pkg`.
+// The built page, as it is served: scripts bundled, style sheets joined, one table of words for each language, the
+// engine in `pkg`.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { bundle as bundleStyles } from "lightningcss";
@@ -12,7 +13,7 @@ import { bundle } from "./scripts.js";
 
 const PAGE = "index.html";
 
-/** Where `cargo xtask` puts the engine with its types, in the repository. */
+/** Folder of the repository in which `cargo xtask` puts the engine and its types. */
 export const ENGINE = "target/engine";
 
 /** The whole module of the engine. */
@@ -21,14 +22,18 @@ export const WHOLE = "assur_web_bg.wasm";
 /** The two parts of the engine's module: see `crates/xtask/src/parts`. */
 const PARTS = Object.freeze(["first.wasm", "second.wasm"]);
 
-/** Used up by the build: scripts, parts of the first style sheet, facts of folders, words that go into the tables of the page. */
+/**
+ * Sources that are not copied, because the build puts them into other files: scripts, parts of the first style sheet,
+ * descriptions of lessons and kinds, words of kinds.
+ */
 const SOURCE = /\.js$|^styles\/|^lessons\/[^/]+\/lesson\.json$|^kinds\/[^/]+\/(kind|words\.\w+)\.json$/;
 
-/** Formulas in LaTeX, which the page has as MathML. */
+/** Items of papers. Their formulas are in LaTeX; the build converts them to MathML. */
 const PAPER = /^lessons\/[^/]+\/paper\.json$/;
 
 /**
- * @param {{ root: string, more?: string, version: string }} options of the repository, of a folder with more lessons and kinds
+ * @param {{ root: string, more?: string, version: string }} options `root`: the repository. `more`: a folder
+ * with additional lessons and kinds
  * @returns {Promise<import("./files.js").Files>} the files of the site
  */
 export async function site({ root, more, version }) {
@@ -56,9 +61,9 @@ export async function site({ root, more, version }) {
 
 /**
  * @param {string} root of the repository
- * @param {import("./files.js").Files} built with the tables of words
+ * @param {import("./files.js").Files} built files of the site, with the tables of words
  * @param {string} version
- * @returns {string} `index.html` for all outputs, with its words
+ * @returns {string} `index.html` with its words, and with the elements of all outputs
  */
 export function filled(root, built, version) {
   const names = [...built.keys()].filter((name) => name.startsWith("lang/"));

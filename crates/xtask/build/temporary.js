@@ -9,7 +9,7 @@ import { write } from "./files.js";
 export const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
 
 /**
- * @param {import("node:test").TestContext} test that ends the folder
+ * @param {import("node:test").TestContext} test test after which the folder is removed
  * @param {Record<string, string>} [files] by their paths in it
  * @returns {string} the folder
  */

@@ -1,4 +1,5 @@
-// Drives of a train. Two of its three shafts are held or driven, at a given speed or a multiple of the other's speed.
+// Drives of a train. Two of its three shafts are held or driven at given speeds. One of the two can have a multiple of
+// the other's speed instead.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";

@@ -1,4 +1,4 @@
-// The wheels of a train: arrangement, coupling, numbers of plates or teeth, positions of the satellites.
+// The wheels of a train: arrangement, coupling, plates or teeth, number of satellites, module, axis distance.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";

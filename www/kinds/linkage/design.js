@@ -19,7 +19,7 @@ import { withDocument } from "assur/state/state.js";
 const PER_CENT = Object.freeze(["1", "2", "5", "10", "20"]);
 const USUAL = "5";
 
-/** Between improvements, progress is written once in this number of candidates, because screen readers announce it. */
+/** Number of candidates after which progress is reported if none improves. Screen readers announce every report. */
 const TOLD = 10;
 
 /** Pause of the search after an improvement is shown, in milliseconds. Without it the motion would be jerky. */
@@ -167,7 +167,7 @@ export class DesignView {
   #search() {
     const state = this.#store.get();
     const { angle, arc, stroke } = this.#now();
-    // A missing target becomes the present value, which would otherwise change with each improvement.
+    // A missing target is set to the value at the start, because the present value changes with each improvement.
     this.#wish = { arc: this.#wish.arc ?? arc, stroke: this.#wish.stroke ?? stroke };
     const wishes = {
       arc: radians(this.#wish.arc ?? 0),

@@ -1,4 +1,5 @@
-// The choice of a linkage: along the curve of solutions for two positions, or among separate solutions for more.
+// The map of the solutions. For two positions also the choice of a linkage on their curve, and the ranges of lengths
+// and coupler angles.
 import { NumberRow } from "assur/controls/number-row.js";
 import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
@@ -14,7 +15,7 @@ const LENGTHS = Object.freeze([
   { symbol: "l₃", key: "map.input", role: "crank" },
 ]);
 
-/** For each verdict, the key of the name of the parts of the curve with that verdict. */
+/** Keys of the names of the curve's parts, by verdict. */
 const PARTS = Object.freeze({ turns: "map.turns", rocks: "map.rocks", disorder: "map.disorder", branch: "map.branch" });
 
 export class FamilyView {

@@ -16,7 +16,7 @@ export const LOOKS = Object.freeze(/** @type {Readonly<Record<Verdict, { role: s
   branch: { role: "secondary", dash: [2, 4] },
 }));
 
-/** Greatest distance of the pointer from the point of the curve that it picks, in pixels. */
+/** Greatest distance, in pixels, at which a pointer picks a point of the curve; unlimited while the pointer is held. */
 const PICK_DISTANCE = 24;
 
 export class FamilyMap {
@@ -59,7 +59,7 @@ export class FamilyMap {
 
   /**
    * @param {PointerEvent} event
-   * @returns {[number, number] | null} l₂ and l₃ of the nearest member of the family within reach
+   * @returns {[number, number] | null} l₂ and l₃ of the nearest member of the family; null if none is near enough
    */
   #member({ offsetX, offsetY }) {
     const curve = this.#snapshot?.summary.family?.curve;
