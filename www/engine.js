@@ -3,9 +3,9 @@ import { guarded } from "assur/core/guarded.js";
 import { NotLoaded } from "assur/core/parts.js";
 import { Refusal, problemsOf } from "assur/core/problem.js";
 import { startEngine } from "assur/core/wasm.js";
-import { withAssembled } from "assur/state/assembled.js";
 import { Catalogue } from "assur/state/catalogue.js";
 import { Compared, discard } from "assur/state/compared.js";
+import { withDetails } from "assur/state/details.js";
 import { Names, byName } from "assur/state/readouts.js";
 import { withoutExtras } from "assur/state/state.js";
 import * as module from "assur/pkg/assur_web.js";
@@ -13,7 +13,7 @@ import * as module from "assur/pkg/assur_web.js";
 /**
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
- * @typedef {import("assur/types/web.js").Summaries} Summaries
+ * @typedef {import("assur/state/details.js").Summaries} Summaries
  * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} PoseData
  * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
  */
@@ -62,12 +62,28 @@ export class Engine {
       this.labels = simulator.labelNames();
       this.lengths = simulator.lengths();
       this.choosesLengths = simulator.choosesLengths();
-      return withAssembled(this.#compared.follow(state, taken), this.simulator);
+      return this.detailed(this.#compared.follow(state, taken), state);
     });
     this.#lastAccepted = state;
     this.trapped = false;
     this.#outliveCompared();
     return /** @type {Summaries[K]} */ (summary);
+  }
+
+  /**
+   * @template {object} S
+   * @param {S} summary of the engine, without details
+   * @param {State} state of which it is the summary
+   * @returns {import("assur/state/details.js").Detailed<S>} the summary with details, which the engine gives when they are first read, even if it has taken another state since
+   */
+  detailed(summary, state) {
+    return withDetails(summary, (question) => {
+      if (this.#lastAccepted === state) return question(this.simulator);
+      return this.withScratchSimulator((other) => {
+        other.set(withoutExtras(state));
+        return question(other);
+      });
+    });
   }
 
   /**

@@ -18,9 +18,23 @@ test("assemblies are found when they are first read, and only then", (t) => {
   assert.deepEqual(second.assembled, { number: 3, count: 6, complete: true });
   assert.deepEqual(second.assembled, { number: 3, count: 6, complete: true });
   assert.equal(asked, 1);
-  // Those of a mechanism that is gone are not those of the one that is there.
-  assert.equal(first.assembled, null);
-  assert.equal(asked, 1);
+  // A summary whose document has been replaced still has that document's assemblies.
+  engine.set(stateOf(engine, "crank-rocker"));
+  assert.deepEqual(first.assembled, { number: 3, count: 6, complete: true });
+  assert.equal(asked, 2);
+});
+
+test("details are those of the document whether it is still open or not", () => {
+  const engine = newEngine();
+  const read = ({ outputs, transmissions, profile, equations }) => ({ outputs, transmissions, profile, equations });
+  for (const name of ["crank-rocker", "class4-dwell", "whitworth"]) {
+    const state = stateOf(engine, name);
+    const open = read(engine.set(state));
+    const replaced = engine.set(state);
+    engine.set(stateOf(engine, "train-gears"));
+    assert.deepEqual(read(replaced), open);
+    assert.ok(open.outputs.length > 0 && open.equations.length > 0, name);
+  }
 });
 
 test("a mechanism without assemblies has none to read", () => {

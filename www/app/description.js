@@ -8,12 +8,13 @@ import { isLength, readoutOf } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
 import { differenceOf, whose } from "assur/plots/readouts.js";
 import { axisTitle, axisValueText, levelText } from "assur/plots/units.js";
+import { outputsOf } from "assur/state/details.js";
 import { moves } from "assur/state/model.js";
 
 /**
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/types/web.js").ListedSummary} Listed
- * @typedef {import("assur/types/web.js").Summary} Summary
+ * @typedef {import("assur/state/details.js").Summary} Summary
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null }} Charted
@@ -114,10 +115,11 @@ function pose(snapshot) {
  * A sentence with the output of the compared mechanism A, and the difference B − A; B is the shown mechanism.
  * @param {Snapshot} snapshot
  */
-function comparison({ summary: { listed, outputs }, readouts, compared, compares, words, withheld }) {
+function comparison({ summary, readouts, compared, compares, words, withheld }) {
   if (!compares) return [];
   if (!compared) return [words.text("compare.apart")];
-  const output = listed.find(({ name }) => name === outputs[0]?.name) ?? listed[0];
+  const { listed } = summary;
+  const output = listed.find(({ name }) => name === outputsOf(summary)[0]?.name) ?? listed[0];
   if (!output) return [];
   const value = compared.readouts?.[output.name];
   const difference = differenceOf(output.what, 0, value, readouts?.[output.name]);
@@ -146,7 +148,7 @@ function drawing(snapshot) {
  * @param {Snapshot} snapshot
  */
 function positions({ summary, coordinate, input, words }) {
-  const limits = summary.outputs[0]?.limits ?? [];
+  const limits = outputsOf(summary)[0]?.limits ?? [];
   const [limit, dead] = [limits, summary.dead_points].map((positions) => positions.map((one) => one.input));
   /** @type {[string, number[]][]} */
   const kinds = [["limit", limit], ["dead", dead], ["change", summary.change_points]];

@@ -180,7 +180,7 @@ export class Page {
    * @param {State["kind"]} kind
    * @param {State["document"]} document of that kind
    * @param {readonly import("assur/state/change.js").Edit[]} edits changes that the engine makes to the document
-   * @param {(summary: import("assur/types/web.js").Summary | null) => Partial<State["view"]>} look gives the view of the
+   * @param {(summary: import("assur/state/details.js").Summary | null) => Partial<State["view"]>} look gives the view of the
    * document from the engine's summary, which is null if the engine refuses the document
    */
   choose(kind, document, edits = [], look = () => ({})) {

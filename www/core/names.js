@@ -55,7 +55,7 @@ export function toLine(point, line) {
 
 /**
  * Text on the moving assembly at the drawn input: its number, and the count of all assemblies, or else of those known.
- * @param {Pick<import("assur/types/web.js").MotionSummary, "home"> & { readonly assembled?: import("assur/state/assembled.js").Assembled }} summary
+ * @param {Pick<import("assur/state/details.js").MotionSummary, "home" | "assembled">} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
  * @returns {string} empty if the number is unknown

@@ -10,7 +10,7 @@ import { holds, open } from "assur/lesson/show.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/types/web.js").Summaries} Summaries
+ * @typedef {import("assur/state/details.js").Summaries} Summaries
  * @typedef {import("assur/lesson/panel.js").Figure} Figure
  * @typedef {import("assur/core/numbers.js").Numbers} Numbers
  * @typedef {import("assur/core/words.js").Words} Words

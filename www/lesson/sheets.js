@@ -130,7 +130,7 @@ function seenOf(task, number, engine) {
  */
 function seenIn(state, inputShown, engine) {
   return engine.withScratchSimulator((other) => {
-    const summary = other.set(withoutExtras(state));
+    const summary = engine.detailed(other.set(withoutExtras(state)), state);
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
     const frameInput = coordinate ? coordinate.input(inputShown ?? coordinate.of(state)) : 0;
     const { frame, readouts: values } = other.at(frameInput);

@@ -6,7 +6,7 @@ import { SWITCHES, contains, initialState } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/types/web.js").Summary} Summary
+ * @typedef {import("assur/state/details.js").Summary} Summary
  * @typedef {import("assur/lesson/folder.js").OwnPresets} OwnPresets
  * @typedef {import("assur/lesson/folder.js").Show} Show
  * @typedef {import("assur/lesson/folder.js").TypedDocument} TypedDocument

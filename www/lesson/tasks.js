@@ -5,12 +5,13 @@ import { ownNumbers, valueIn } from "assur/lesson/chance.js";
 import { withNumber } from "assur/lesson/field.js";
 import { W, isAngle } from "assur/lesson/quantity.js";
 import { Coordinate } from "assur/state/coordinate.js";
+import { outputsOf } from "assur/state/details.js";
 import { byName } from "assur/state/readouts.js";
 import { initialState, withDocument, withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
- * @typedef {import("assur/types/web.js").Summary} Summary
+ * @typedef {import("assur/state/details.js").Summary} Summary
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/state/state.js").Written} Written
@@ -92,7 +93,7 @@ function withOwn(state, own, followed, other) {
   return now;
 }
 
-/** @param {Extract<Summary, { moves: "angle" | "length" | "time" }>} summary */
+/** @param {Extract<import("assur/types/web.js").Summary, { moves: "angle" | "length" | "time" }>} summary */
 export function coordinateOf({ moves, cycle, input }) {
   return new Coordinate(moves, cycle, input);
 }
@@ -110,7 +111,7 @@ export function answerOf(lesson, index, name, engine) {
   const task = quantity ? taskOf(lesson, index, name, engine) : null;
   if (!task || !quantity) return null;
   return engine.withScratchSimulator((other) => attempt(() => {
-    const summary = other.set(task.state);
+    const summary = engine.detailed(other.set(task.state), task.state);
     if (summary.moves === null) return valueOf(quantity, { summary, inputShown: 0, readouts: null });
     const coordinate = coordinateOf(summary);
     const inputShown = at ?? coordinate.of(task.state);
@@ -151,7 +152,7 @@ function propertyOf(name, property, summary) {
     const worst = "transmissions" in summary ? summary.transmissions.find(({ joint, what }) => `${joint}.${what}` === name)?.worst : undefined;
     return worst === undefined || worst === null ? null : degrees(worst);
   }
-  const output = summary.moves === null ? undefined : summary.outputs.find((one) => one.name === name);
+  const output = outputsOf(summary).find((one) => one.name === name);
   if (property === "time_ratio") return output?.time_ratio ?? null;
   const stroke = property === "swing" ? output?.swing[0]?.stroke : undefined;
   return stroke === undefined ? null : counted(stroke, name);
@@ -164,7 +165,7 @@ function propertyOf(name, property, summary) {
 export function quantities(here) {
   const { summary, readouts } = here;
   if (summary.moves === null) return [W].filter((name) => valueOf(name, here) !== null);
-  const outputs = summary.outputs.map(({ name }) => name);
+  const outputs = outputsOf(summary).map(({ name }) => name);
   const joints = "transmissions" in summary ? summary.transmissions.map(({ joint, what }) => `${joint}.${what}`) : [];
   const properties = [...outputs, ...joints].flatMap((name) => PROPERTIES.map((property) => `${name}:${property}`));
   return ["input", W, ...properties, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);

@@ -12,7 +12,7 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/types/web.js").MotionSummary["transmissions"][number]} Transmission
+ * @typedef {import("assur/state/details.js").MotionSummary["transmissions"][number]} Transmission
  */
 
 /** @type {readonly Transmission[]} */

@@ -3,6 +3,7 @@ import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, subscript, symbol } from "assur/core/symbols.js";
+import { outputsOf } from "assur/state/details.js";
 import { withView } from "assur/state/state.js";
 
 /**
@@ -69,7 +70,7 @@ export class PairChoice {
     }
     const names = this.#engine.names.quantities;
     const { summary } = this.#model;
-    const output = summary.moves === null ? undefined : summary.outputs[0]?.name;
+    const output = outputsOf(summary)[0]?.name;
     const y = output ?? names[names.length - 1];
     return y === undefined ? null : { x: names.find((name) => name !== y) ?? INPUT, y };
   }
@@ -83,7 +84,7 @@ export class PairChoice {
       make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
     const { points, quantities } = this.#engine.names;
     // For a mechanism without an output, the pairs of all its angles are offered.
-    const named = summary.outputs.map(({ name }) => name);
+    const named = outputsOf(summary).map(({ name }) => name);
     const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
     const whose = (/** @type {string} */ name) => {
       const of = name.slice(0, name.lastIndexOf("."));

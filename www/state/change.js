@@ -71,7 +71,7 @@ export function inputNow({ store, model }) {
  * @param {State["kind"]} kind
  * @param {State["document"]} document of that kind
  * @param {readonly Edit[]} edits changes that the engine makes to the document
- * @param {(summary: import("assur/types/web.js").Summary | null) => Partial<State["view"]>} look returns the view, given the engine's summary,
+ * @param {(summary: import("assur/state/details.js").Summary | null) => Partial<State["view"]>} look returns the view, given the engine's summary,
  * which is null if the engine refuses the document
  * @param {Pick<import("assur/app/page.js").Page, "store" | "model" | "drafts" | "history" | "mechanism">} page
  */

@@ -47,13 +47,13 @@ import { DRAWN, PARTS } from "assur/state/state.js";
 
 /**
  * Kinds of documents that have an input.
- * @typedef {{ [K in Kind]: import("assur/types/web.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
+ * @typedef {{ [K in Kind]: import("assur/state/details.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
  */
 
 /**
  * The drawn mechanism: its kind and the engine's summary.
  * @template {Kind} [K=Moving]
- * @typedef {K extends Kind ? { kind: K, summary: import("assur/types/web.js").Summaries[K] } : never} Drawn
+ * @typedef {K extends Kind ? { kind: K, summary: import("assur/state/details.js").Summaries[K] } : never} Drawn
  */
 
 /**
@@ -134,7 +134,7 @@ export class Model {
     this.#updatePose(state);
   }
 
-  /** @returns {import("assur/types/web.js").Summary} */
+  /** @returns {import("assur/state/details.js").Summary} */
   get summary() {
     return this.#drawn.summary;
   }

@@ -29,7 +29,14 @@ pub(crate) enum EquationSummary<'a> {
 }
 
 impl<'a> EquationSummary<'a> {
-    pub(crate) fn new(mechanism: &'a Mechanism, constraint: &Constraint) -> Self {
+    /// The constraint equations of a mechanism, in the order of [`sides`].
+    pub(crate) fn all(mechanism: &'a Mechanism) -> Vec<Self> {
+        let constraints = mechanism.constraints();
+        let all = constraints.iter().map(|one| Self::new(mechanism, one));
+        all.collect()
+    }
+
+    fn new(mechanism: &'a Mechanism, constraint: &Constraint) -> Self {
         let link = |link: LinkOrFrame| link.map_or(FRAME, |link| mechanism.link_name(link));
         let point = |point: PointId| mechanism.point_name(point);
         match constraint.kind {

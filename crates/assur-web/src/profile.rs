@@ -4,6 +4,8 @@ use assur::mechanism::{Mechanism, Quantity};
 use assur::motion::{OutputProfile, PhaseKind};
 use serde::Serialize;
 
+use crate::moving::Moving;
+
 /// Default width of the dwell band of an angle, degrees.
 const BAND: f64 = 0.1;
 /// Default width of the dwell band of a length, as a fraction of the linkage's size; it is rounded down to a power of
@@ -52,16 +54,14 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
 }
 
 impl ProfileSummary {
-    /// Summarises the profile of a quantity. The dwell band's width is in degrees, or in the unit of the lengths.
-    pub(crate) fn new(
-        mechanism: &Mechanism,
-        quantity: Quantity,
-        profile: &OutputProfile<'_>,
-        width: Option<f64>,
-    ) -> Self {
-        let (width, band) = band(mechanism, quantity, width);
+    /// Stroke, longest dwell and phases of the first plotted quantity; none if it is not an output, or if the motion has
+    /// too many turns to be searched.
+    pub(crate) fn of(moving: &Moving) -> Option<Self> {
+        let output = moving.plotted_output()?;
+        let profile = OutputProfile::new(moving.motion(), output).ok()?;
+        let (width, band) = band(moving.mechanism(), output, moving.document().band);
         let (dwell, phases) = profile.dwell_and_cyclogram(band);
-        Self {
+        Some(Self {
             width,
             stroke: profile.stroke(),
             dwell: dwell.map(|dwell| DwellSummary {
@@ -78,6 +78,6 @@ impl ProfileSummary {
                     arc: phase.arc,
                 })
                 .collect(),
-        }
+        })
     }
 }

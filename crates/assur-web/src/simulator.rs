@@ -15,8 +15,11 @@ use crate::capabilities::{Capabilities, Edited, Moves, RelationHere, unknown};
 use crate::change::Change;
 use crate::chart;
 use crate::convert::{read, read_tagged, thrown, to_js};
+use crate::equations::EquationSummary;
 use crate::kinds::{as_kind, draft, open_after};
 use crate::moving::Moving;
+use crate::profile::ProfileSummary;
+use crate::summary::{OutputSummary, TransmissionSummary};
 use crate::table::SweepTable;
 use refusal::place;
 pub(crate) use refusal::{bad, one};
@@ -316,7 +319,44 @@ impl Simulator {
         Ok(to_js(&table))
     }
 
-    /// Left side, right side and residual of every constraint equation of the summary at an input;
+    /// Ranges, limit positions and time ratios of the outputs of a linkage over its motion.
+    ///
+    /// # Errors
+    /// A document that is not a moving linkage.
+    #[wasm_bindgen(unchecked_return_type = "OutputSummary[]")]
+    pub fn outputs(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&OutputSummary::all(self.linkage()?)))
+    }
+
+    /// The worst transmission or pressure angle of each dyad of a linkage over its motion.
+    ///
+    /// # Errors
+    /// A document that is not a moving linkage.
+    #[wasm_bindgen(unchecked_return_type = "TransmissionSummary[]")]
+    pub fn transmissions(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&TransmissionSummary::all(self.linkage()?)))
+    }
+
+    /// Stroke, longest dwell and phases of the first plotted quantity of a linkage; `null` if it is not an output or
+    /// was not searched for extrema.
+    ///
+    /// # Errors
+    /// A document that is not a moving linkage.
+    #[wasm_bindgen(unchecked_return_type = "ProfileSummary | null")]
+    pub fn profile(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&ProfileSummary::of(self.linkage()?)))
+    }
+
+    /// The constraint equations of a linkage: the kind of each, with its links and points.
+    ///
+    /// # Errors
+    /// A document that is not a moving linkage.
+    #[wasm_bindgen(unchecked_return_type = "EquationSummary[]")]
+    pub fn constraints(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&EquationSummary::all(self.linkage()?.mechanism())))
+    }
+
+    /// Left side, right side and residual of every constraint equation at an input, in the order of `constraints`;
     /// with order 1 or 2, their derivatives with respect to the input.
     ///
     /// # Errors

@@ -1,4 +1,4 @@
-//! Summary of a whole motion for the page.
+//! Summary of a whole motion for the page, and its parts that the page asks for separately.
 
 mod outputs;
 
@@ -13,10 +13,8 @@ use assur_draw::Figure;
 use serde::Serialize;
 
 use crate::capabilities::Moves;
-use crate::equations::EquationSummary;
 use crate::kinds::BECOMES;
 use crate::moving::Moving;
-use crate::profile::ProfileSummary;
 
 /// Summary of the drawing and the structure of a linkage.
 #[derive(Serialize)]
@@ -48,7 +46,6 @@ pub(crate) struct CourseSummary<'a> {
     pub(crate) home: f64,
     pub(crate) dead_points: Vec<DeadPointSummary<'a>>,
     pub(crate) change_points: &'a [f64],
-    pub(crate) outputs: Vec<OutputSummary>,
     /// The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name.
     pub(crate) unsearched: Option<UnsearchedSummary>,
     /// Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂.
@@ -75,11 +72,8 @@ pub(crate) struct MotionSummary<'a> {
     course: CourseSummary<'a>,
     #[serde(flatten)]
     structure: StructureSummary<'a>,
-    equations: Vec<EquationSummary<'a>>,
     four_bars: Vec<FourBarSummary<'a>>,
-    transmissions: Vec<TransmissionSummary<'a>>,
     points: Vec<&'a str>,
-    profile: Option<ProfileSummary>,
 }
 
 /// Numbers of moving links, lower pairs, higher pairs; mobility by rank and by count. A hinge of k links counts as
@@ -266,39 +260,10 @@ impl<'a> MotionSummary<'a> {
             .map(link),
             grashof: one.grashof().code(),
         });
-        let transmissions = motion.transmissions().into_iter();
-        let transmissions = transmissions.map(|dyad| TransmissionSummary {
-            what: dyad.quantity.kind_name(),
-            joint: dyad.quantity.subject(mechanism).into_owned(),
-            links: dyad.links.map(|one| link(Some(one))),
-            worst: dyad.worst.map(|worst| worst.angle),
-            input: dyad.worst.map(|worst| worst.input),
-        });
         let handles = moving.handles().iter().map(|handle| HandleSummary {
             name: &handle.name,
             role: handle.role,
             pressed: false,
-        });
-        let plotted = moving.plotted().iter();
-        // The first plotted quantity is usually one of these outputs; its motion is then not searched again.
-        let outputs = moving.outputs();
-        let profiles = outputs.iter().map(|one| {
-            let name = one.name(mechanism, 0);
-            (name, OutputProfile::new(motion, *one))
-        });
-        let profiles: Vec<(String, Result<OutputProfile<'_>, TooManyTurns>)> = profiles.collect();
-        let first = moving.plotted_output().map(|plotted| {
-            let known = outputs.iter().position(|output| *output == plotted);
-            let summed = |profile: &OutputProfile<'_>| {
-                ProfileSummary::new(mechanism, plotted, profile, moving.document().band)
-            };
-            match known {
-                Some(index) => profiles[index].1.as_ref().ok().map(summed),
-                None => OutputProfile::new(motion, plotted)
-                    .ok()
-                    .as_ref()
-                    .map(summed),
-            }
         });
         let unsearched = motion.searchable().err();
         let course = CourseSummary {
@@ -308,9 +273,6 @@ impl<'a> MotionSummary<'a> {
             home: motion.drawn_input(),
             dead_points: dead_points.collect(),
             change_points: motion.change_points(),
-            outputs: (profiles.iter())
-                .map(|(name, profile)| OutputSummary::new(name, profile.as_ref().ok()))
-                .collect(),
             unsearched: unsearched
                 .map(|TooManyTurns { turns, most }| UnsearchedSummary { turns, most }),
             numbers: moving.numbers(),
@@ -318,7 +280,9 @@ impl<'a> MotionSummary<'a> {
                 .map(|quantity| ListedSummary::new(moving, quantity))
                 .collect(),
             overviews: &["angles"],
-            plotted: plotted.map(|one| one.name(mechanism, 0)).collect(),
+            plotted: (moving.plotted().iter())
+                .map(|one| one.name(mechanism, 0))
+                .collect(),
             curves: (moving.curves().into_iter())
                 .map(|one| one.name(mechanism, 0))
                 .collect(),
@@ -329,14 +293,25 @@ impl<'a> MotionSummary<'a> {
         Self {
             course,
             structure: StructureSummary::new(mechanism, figure),
-            equations: (mechanism.constraints().iter())
-                .map(|one| EquationSummary::new(mechanism, one))
-                .collect(),
             four_bars: four_bars.collect(),
-            transmissions: transmissions.collect(),
             points: mechanism.points().collect(),
-            profile: first.flatten(),
         }
+    }
+}
+
+impl<'a> TransmissionSummary<'a> {
+    /// The worst angle of each dyad over the motion.
+    pub(crate) fn all(moving: &'a Moving) -> Vec<Self> {
+        let mechanism = moving.mechanism();
+        let dyads = moving.motion().transmissions().into_iter();
+        let all = dyads.map(|dyad| Self {
+            what: dyad.quantity.kind_name(),
+            joint: dyad.quantity.subject(mechanism).into_owned(),
+            links: dyad.links.map(|link| mechanism.link_name(link)),
+            worst: dyad.worst.map(|worst| worst.angle),
+            input: dyad.worst.map(|worst| worst.input),
+        });
+        all.collect()
     }
 }
 

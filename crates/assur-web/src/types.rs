@@ -8,6 +8,7 @@ use crate::capabilities::{LinkHere, RelationHere};
 use crate::chart::{ChartLayout, ChartRequest};
 use crate::curvature::CurvatureHere;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
+use crate::equations::EquationSummary;
 use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
@@ -18,7 +19,10 @@ use crate::kinds::synthesis::plane::PlaneSummary;
 use crate::kinds::synthesis::summary::SynthesisSummary;
 use crate::kinds::synthesis::wanted::{PrintedSummary, WantedSummary};
 use crate::polygons::PolygonsHere;
-use crate::summary::{CourseSummary, MotionSummary, StructureSummary};
+use crate::profile::ProfileSummary;
+use crate::summary::{
+    CourseSummary, MotionSummary, OutputSummary, StructureSummary, TransmissionSummary,
+};
 use crate::table::SweepTable;
 
 const HEAD: &str = "\
@@ -40,6 +44,12 @@ fn the_scripts_know_what_crosses_the_border() {
         StructureSummary<'static>,
         CourseSummary<'static>,
         MotionSummary<'static>,
+    );
+    type Details = (
+        OutputSummary,
+        TransmissionSummary<'static>,
+        ProfileSummary,
+        EquationSummary<'static>,
     );
     type Moving = (
         LinkageSummary<'static>,
@@ -78,7 +88,7 @@ fn the_scripts_know_what_crosses_the_border() {
         StepSummary,
         ReachedSummary,
     );
-    assert_declared::<(Parts, Moving, Still, Synthesis, Here, Shown)>(
+    assert_declared::<(Parts, Details, Moving, Still, Synthesis, Here, Shown)>(
         env!("CARGO_MANIFEST_DIR"),
         HEAD,
     );

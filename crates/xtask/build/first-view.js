@@ -16,6 +16,8 @@ const simulator = new Simulator();
 // The view of the page has these fields even if they are empty.
 const { home } = simulator.set({ format: 2, kind, document, view: { ...defaultView(), against: null, lesson: null } });
 simulator.readoutNames();
+simulator.outputs();
+simulator.transmissions();
 simulator.labelNames();
 simulator.lengths();
 simulator.choosesLengths();

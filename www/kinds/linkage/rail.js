@@ -8,7 +8,7 @@ import { sourceOf } from "assur/core/titles.js";
 import { change, inputNow } from "assur/state/change.js";
 
 /**
- * @typedef {import("assur/types/web.js").LinkageSummary} Summary
+ * @typedef {import("assur/state/details.js").Summaries["linkage"]} Summary
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */

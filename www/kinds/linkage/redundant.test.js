@@ -25,7 +25,7 @@ for (const [type, places] of Object.entries(PLACES)) {
     test(`a ${type} whose link ${ends} is doubled`, () => {
       const engine = newEngine();
       const plain = engine.set(initialState("linkage", four(places, LINKS), {}));
-      const alone = { ...plain, assembled: plain.assembled };
+      const alone = { ...plain, assembled: plain.assembled, transmissions: plain.transmissions };
       const doubled = engine.set(initialState("linkage", four(places, { ...LINKS, double: ends }), {}));
       const { counts: { by_count: count, mobility }, redundant, formula, groups } = doubled;
       assert.equal(groups.map(({ term }) => term).join(" → "), formula);

@@ -5,7 +5,7 @@ import { make } from "assur/core/dom.js";
 import { subscript } from "assur/core/symbols.js";
 
 /**
- * @typedef {import("assur/types/web.js").MotionSummary} Summary
+ * @typedef {import("assur/state/details.js").MotionSummary} Summary
  * @typedef {import("assur/kinds/linkage/rail.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  */

@@ -4,7 +4,7 @@ import { degrees } from "assur/core/angles.js";
 import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
 
 /**
- * @typedef {import("assur/types/web.js").MixerSummary} Summary
+ * @typedef {import("assur/state/details.js").Summaries["mixer"]} Summary
  * @typedef {import("assur/state/model.js").OwnSnapshot<"mixer">} Snapshot
  * @typedef {import("assur/state/state.js").State<"mixer">} State
  * @typedef {import("assur/core/words.js").Words} Words

@@ -1,7 +1,7 @@
 // Steps of the lesson on the assemblies of a linkage: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
-/** @typedef {import("assur/types/web.js").MotionSummary & { readonly assembled?: import("assur/state/assembled.js").Assembled }} Summary */
+/** @typedef {import("assur/state/details.js").MotionSummary} Summary */
 
 /** View of every step: traces, the section with a picture of each assembly, and the other assemblies drawn. */
 const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);

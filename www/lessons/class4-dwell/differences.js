@@ -6,7 +6,7 @@ import { attempt } from "assur/core/problem.js";
 /**
  * @typedef {import("assur/lesson/panel.js").Figure} Figure
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/types/web.js").LinkageSummary} Summary
+ * @typedef {import("assur/state/details.js").Summaries["linkage"]} Summary
  * @typedef {import("assur/state/model.js").AnySnapshot} Snapshot
  * @typedef {readonly [number, number]} Pair of ψ′ and ψ″
  */

@@ -3,7 +3,7 @@ import { degrees } from "assur/core/angles.js";
 import { Differences } from "assur/lessons/class4-dwell/differences.js";
 import { System } from "assur/lessons/class4-dwell/system.js";
 
-/** @typedef {import("assur/types/web.js").MotionSummary} Summary */
+/** @typedef {import("assur/state/details.js").MotionSummary} Summary */
 
 const PRESET = "class4-dwell";
 /** Length of the regulating link FK at which the dwell is clearly shorter than in the preset. */

@@ -1,6 +1,6 @@
 // Steps of the lesson on the differential with magnetic couplings: documents and questions; texts in words.*.json.
 
-/** @typedef {import("assur/types/web.js").Summaries["gear-train"]} Summary */
+/** @typedef {import("assur/state/details.js").Summaries["gear-train"]} Summary */
 
 /** Names `ij` of the six ratios U_ij⁽ᵏ⁾ of members i and j, with member k held. */
 const RATIOS = Object.freeze(["13", "31", "34", "43", "14", "41"]);

@@ -3,7 +3,7 @@ import { degrees } from "assur/core/angles.js";
 
 /**
  * @typedef {import("assur/types/web.js").OutputSummary["limits"][number]} Limit
- * @typedef {import("assur/types/web.js").MixerSummary} Summary
+ * @typedef {import("assur/state/details.js").Summaries["mixer"]} Summary
  */
 
 /** View for the comparison of two cases, with the crank upright. */

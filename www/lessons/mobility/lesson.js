@@ -1,6 +1,6 @@
 // Steps of the lesson on mobility by sections: documents and questions; texts in words.*.json.
 
-/** @typedef {import("assur/types/web.js").Summaries["scheme"]} Summary */
+/** @typedef {import("assur/state/details.js").Summaries["scheme"]} Summary */
 
 /** Choices: the mobility by count is lower than, equal to, or higher than the mobility by rank. */
 const COUNTS = Object.freeze(["low", "right", "high"]);
@@ -83,7 +83,7 @@ export const LESSON = Object.freeze({ kind: "scheme", steps: [
     formula: "q = W − (3n − 2P₁)",
     shows: [{ name: "cranks", preset: "coupled-cranks", play: true }, { name: "doubled", preset: "doubled", play: true }],
     readouts: ["linkage-w"],
-    question: { hides: ["redundant", "formula"], within: 0, answer: (/** @type {import("assur/types/web.js").LinkageSummary} */ { counts }) => counts.mobility - counts.by_count },
+    question: { hides: ["redundant", "formula"], within: 0, answer: (/** @type {import("assur/state/details.js").Summaries["linkage"]} */ { counts }) => counts.mobility - counts.by_count },
   },
   {
     id: "mending",

@@ -112,7 +112,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     readouts: ["rocker.angle", "rocker.angle′"],
     question: {
       hides: ["linkage-swing"], unit: "°", within: 0.5,
-      answer: (/** @type {import("assur/types/web.js").LinkageSummary} */ { outputs: [rocker] }) => {
+      answer: (/** @type {import("assur/state/details.js").Summaries["linkage"]} */ { outputs: [rocker] }) => {
         const stroke = rocker?.swing[0]?.stroke;
         return stroke === undefined ? undefined : degrees(stroke);
       },

@@ -3,13 +3,23 @@
 use super::*;
 
 impl OutputSummary {
+    /// The outputs of a linkage over its motion.
+    pub(crate) fn all(moving: &Moving) -> Vec<Self> {
+        let outputs = moving.outputs().into_iter();
+        let all = outputs.map(|output| {
+            let profile = OutputProfile::new(moving.motion(), output).ok();
+            Self::new(output.name(moving.mechanism(), 0), profile.as_ref())
+        });
+        all.collect()
+    }
+
     /// Makes the summary of a profile; without a search, the name alone.
-    pub(super) fn new(name: &str, profile: Option<&OutputProfile<'_>>) -> Self {
+    fn new(name: String, profile: Option<&OutputProfile<'_>>) -> Self {
         let limits = profile.map(OutputProfile::limits).unwrap_or_default();
         let swings = profile.map(OutputProfile::swings).unwrap_or_default();
         let travels = profile.map(OutputProfile::travels).unwrap_or_default();
         Self {
-            name: name.to_owned(),
+            name,
             searched: profile.is_some(),
             swing: swings.into_iter().map(between).collect(),
             turns: travels.into_iter().map(|travel| travel / TAU).collect(),

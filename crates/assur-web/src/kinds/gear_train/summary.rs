@@ -219,7 +219,6 @@ impl<'a> GearTrainSummary<'a> {
                 home: 0.0,
                 dead_points: Vec::new(),
                 change_points: &[],
-                outputs: Vec::new(),
                 unsearched: None,
                 numbers: course.numbers(),
                 listed: listed(course.loaded()),
