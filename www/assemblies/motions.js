@@ -18,14 +18,15 @@ export class Motions {
   #revision = 0;
   /** @type {object | null} state of the linkage, from which a new worker starts */
   #state = null;
-  /** Input and assembly of the last question. */
+  /** Input and assembly of the last question, as text, and this assembly. */
   #asked = "";
+  #number = 0;
   /** @type {MotionsMap | null} the newest map; it may be that of an earlier linkage */
   map = null;
   /** Whether the map is that of the linkage shown now. */
   current = false;
   /** @type {Belonging | null} branches of the assemblies at the input of the last question */
-  belonging = null;
+  #belonging = null;
   /** Whether the last question failed. */
   lost = false;
 
@@ -43,7 +44,7 @@ export class Motions {
     this.#revision = revision;
     this.#state = state;
     this.current = this.lost = false;
-    this.belonging = null;
+    this.#belonging = null;
     this.#asked = "";
     this.#ask({ revision, state });
   }
@@ -51,7 +52,7 @@ export class Motions {
   /** Ends the worker and forgets its results, when the panel is closed. */
   close() {
     this.#end();
-    this.#next = this.#state = this.map = this.belonging = null;
+    this.#next = this.#state = this.map = this.#belonging = null;
     this.#revision = 0;
     this.#asked = "";
     this.current = this.lost = false;
@@ -65,8 +66,23 @@ export class Motions {
     const asked = `${input} ${number}`;
     if (!this.current || asked === this.#asked || this.#next) return;
     this.#asked = asked;
-    this.belonging = null;
+    this.#number = number;
+    this.#belonging = null;
     this.#ask({ revision: this.#revision, input, number });
+  }
+
+  /** @returns {number | null} index of the branch of the shown assembly, null if it is not known; a motion stays on its branch */
+  get branch() {
+    return this.current ? (this.#belonging?.branches[this.#number] ?? null) : null;
+  }
+
+  /**
+   * @param {number} input
+   * @param {number} number of the shown assembly, from 0
+   * @returns {Belonging["reached"] | null} how each assembly at the input can be reached from the shown one; null if it is not known
+   */
+  reached(input, number) {
+    return (this.current && `${input} ${number}` === this.#asked && this.#belonging?.reached) || null;
   }
 
   /** @param {object} question */
@@ -116,12 +132,11 @@ export class Motions {
       this.map = map;
       this.current = current;
     }
-    if (belonging && current) this.belonging = belonging;
+    if (belonging && current) this.#belonging = belonging;
     if (current && (map || belonging)) this.lost = false;
-    if (lost) {
-      this.lost = true;
-      if (current) this.map = null;
-    }
+    // A worker that breaks off does not say for which linkage it was at work.
+    if (lost && (current || broken)) this.lost = true;
+    if (lost && current) this.map = null;
     if (broken) {
       // The next question goes to a new worker.
       this.#end();

@@ -63,10 +63,12 @@ test("the map of a linkage is found, and where its assemblies belong", PATIENCE,
   await until(() => motions.current);
   assert.deepEqual([motions.map.whole, motions.map.branches.length, motions.map.circuits], [true, 2, 2]);
   motions.at(1, 0);
-  await until(() => motions.belonging);
-  assert.equal(motions.belonging.branches.length, 2);
+  await until(() => motions.branch !== null);
+  assert.ok([0, 1].includes(motions.branch), String(motions.branch));
   // Of its own branch nothing is passed, to another circuit nothing leads.
-  assert.deepEqual(motions.belonging.reached, [[], null]);
+  assert.deepEqual(motions.reached(1, 0), [[], null]);
+  // In motion the branch stays, but the assemblies may have other numbers.
+  assert.deepEqual([motions.reached(1.1, 0), motions.reached(1, 1)], [null, null]);
 });
 
 test("where assemblies belong is asked only once the map is there, and once for each place", PATIENCE, async () => {
@@ -74,17 +76,17 @@ test("where assemblies belong is asked only once the map is there, and once for 
   motions.at(1, 0);
   motions.of(1, rocker);
   motions.at(1, 0);
-  assert.equal(motions.belonging, null);
+  assert.equal(motions.branch, null);
   await until(() => motions.current);
   motions.at(1, 0);
-  await until(() => motions.belonging);
-  const { belonging } = motions;
+  await until(() => motions.branch !== null);
+  const reached = motions.reached(1, 0);
   motions.at(1, 0);
-  assert.equal(motions.belonging, belonging);
+  assert.equal(motions.reached(1, 0), reached);
   motions.at(2, 1);
-  assert.equal(motions.belonging, null);
-  await until(() => motions.belonging);
-  assert.deepEqual(motions.belonging.reached, [null, []]);
+  assert.equal(motions.branch, null);
+  await until(() => motions.branch !== null);
+  assert.deepEqual(motions.reached(2, 1), [null, []]);
 });
 
 test("of linkages that follow each other quickly the newest is found in the end, by one worker", PATIENCE, async () => {
@@ -128,9 +130,9 @@ test("after a break at an input the next one is answered, by a worker of its own
   await until(() => motions.lost);
   assert.equal(Worker.running.size, 0);
   motions.at(1, 0);
-  await until(() => motions.belonging);
+  await until(() => motions.branch !== null);
   assert.deepEqual([motions.lost, motions.current, Worker.running.size], [false, true, 1]);
-  assert.deepEqual(motions.belonging.reached, [[], null]);
+  assert.deepEqual(motions.reached(1, 0), [[], null]);
 });
 
 test("a worker whose stack overflows is lost, ten in a row, and the next one answers", PATIENCE, async (t) => {

@@ -167,20 +167,17 @@ export class Assemblies {
     const count = complex === null ? words.counted("assemblies.count", all.length) : words.counted("assemblies.count_of", all.length, { complex: numbers.exact(complex) });
     write(this.#count, whole ? count : `${count} ${words.text("assemblies.partial")}`);
     if (shown === null) return;
-    const { map, current } = this.#motions;
-    // The worker is asked only at rest. In motion, its last answer stays.
+    // The worker is asked only at rest. In motion, the branch stays the same.
     if (!state.view.playing) this.#motions.at(frameInput, shown);
-    const belonging = current ? this.#motions.belonging : null;
-    const fits = belonging?.branches.length === all.length ? belonging : null;
-    const branch = fits?.branches[shown];
-    write(this.#where, fits && map && branch !== undefined
+    const { map, branch } = this.#motions;
+    write(this.#where, map && branch !== null
       ? words.text("assemblies.where", {
           branch: numbers.exact(branch + 1), branches: numbers.exact(map.branches.length),
           circuit: numbers.exact(map.branches[branch].circuit + 1), circuits: numbers.exact(map.circuits),
         })
       : "");
     const groups = { same: /** @type {string[]} */ ([]), folds: /** @type {string[]} */ ([]), never: /** @type {string[]} */ ([]) };
-    fits?.reached.forEach((through, k) => {
+    this.#motions.reached(frameInput, shown)?.forEach((through, k) => {
       if (k === shown) return;
       const group = through === null ? groups.never : through.length === 0 ? groups.same : groups.folds;
       group.push(numbers.exact(all[k].number));
@@ -195,10 +192,10 @@ export class Assemblies {
    */
   #draw({ all, shown }, snapshot) {
     const { summary, words, frameInput } = snapshot;
-    const { map, current, lost, belonging } = this.#motions;
+    const { map, current, lost, branch } = this.#motions;
     const { cycle, moves, input, numbers } = summary;
     // At rest the worker also finds which assemblies can be reached.
-    const isAwaited = !lost && (!current || (!snapshot.state.view.playing && shown !== null && !belonging));
+    const isAwaited = !lost && (!current || (!snapshot.state.view.playing && shown !== null && branch === null));
     this.element.setAttribute("aria-busy", String(isAwaited));
     if (map && (this.#drawn !== map || this.#map.lang !== words.lang)) {
       this.#drawn = map;
@@ -214,8 +211,7 @@ export class Assemblies {
     this.#map.element.classList.toggle("awaited", !map && !lost);
     if (map) {
       this.#map.element.classList.toggle("faded", !current);
-      const fits = current && belonging?.branches.length === all.length && shown !== null;
-      this.#map.mark({ input: frameInput, shown, angles: all.map(({ angle }) => angle) }, fits ? belonging.branches[shown] : null);
+      this.#map.mark({ input: frameInput, shown, angles: all.map(({ angle }) => angle) }, shown === null ? null : branch);
     } else write(this.#mapped, words.text(lost ? "assemblies.lost" : "assemblies.coming"));
   }
 

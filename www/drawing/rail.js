@@ -309,7 +309,7 @@ function coordinateTexts(value, { numbers }) {
  * @returns {string} all parts of the document on which the commands for the selection depend, as text
  */
 function structure({ links, frame, locks }) {
-  return JSON.stringify([frame, locks, links.map(({ name, points, centre_of_mass }) => [name, points, centre_of_mass])]);
+  return JSON.stringify([frame, locks, links.map(({ name, points, centre_of_mass, fixed_to }) => [name, points, centre_of_mass, fixed_to])]);
 }
 
 /**

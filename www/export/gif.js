@@ -56,9 +56,13 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
  */
 function answer(worker, signal, message, transferred = []) {
   return new Promise((resolve, reject) => {
-    worker.onmessage = ({ data }) => resolve(data);
+    const stop = () => reject(signal.reason);
+    worker.onmessage = ({ data }) => {
+      signal.removeEventListener("abort", stop);
+      resolve(data);
+    };
     worker.onerror = (event) => reject(new Error(event.message));
-    signal.addEventListener("abort", () => reject(signal.reason), { once: true });
+    signal.addEventListener("abort", stop);
     worker.postMessage(message, transferred);
   });
 }

@@ -67,7 +67,8 @@ export class Pictures {
   async #bring(canvas, source) {
     this.#coming.delete(canvas);
     this.#watch.unobserve(canvas);
-    const state = await source();
+    // A card whose mechanism does not load stays without a picture.
+    const state = await source().catch(() => null);
     if (!state) return;
     this.#turn = this.#turn.then(() => new Promise(requestAnimationFrame)).then(() => this.#draw(canvas, state));
   }

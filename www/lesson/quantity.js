@@ -30,7 +30,7 @@ const TELLERS = Object.freeze({
  * @returns {boolean} whether the quantity is an angle, which a lesson gives in degrees
  */
 export function isAngle(quantity) {
-  return /\.(angle|load_angle|corner|transmission|pressure)(:swing|:worst)?$/.test(quantity);
+  return /\.(angle|load_angle|corner|between|transmission|pressure)(:swing|:worst)?$/.test(quantity);
 }
 
 /**

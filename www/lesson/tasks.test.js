@@ -4,6 +4,7 @@ import test from "node:test";
 import { attempt } from "assur/core/problem.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { toCode, fromCode } from "assur/lesson/code.js";
+import { degrees } from "assur/core/angles.js";
 import { isAngle, quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
 import { QUESTIONS, changed, shownNow, sortOf, withMoved, withNewStep, withStep, withoutStep } from "assur/lesson/steps.js";
 import { answerOf, quantities, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
@@ -188,6 +189,14 @@ test("read-outs that tell a quantity are those of its derivative and of the whol
     "C.transmission:worst": ["linkage-transmission", "transmission"], "rocker.angle″": ["rocker.angle″"], "C.x′": ["C.x′"], "sun.angle′": ["sun.angle′", "train-sun"], "F.y": ["F.y"], W: ["linkage-w"], input: [],
   };
   for (const [quantity, readouts] of Object.entries(all)) assert.deepEqual(tellers(quantity), readouts, quantity);
+});
+
+test("the angle between two links that a reader measures is asked for in degrees", () => {
+  const measures = ["crank-rocker.between"];
+  const snapshot = snapshotOf(engine, stateOf(engine, "crank-rocker", { phi_deg: 62, measures }));
+  const [between] = quantities(snapshot).filter((name) => name.endsWith(".between"));
+  assert.equal(unitOf({ quantity: between, within: 0 }), "°");
+  assert.equal(valueOf(between, snapshot), degrees(snapshot.readouts[between]));
 });
 
 test("the unit of an answer is the one that its question gives", () => {

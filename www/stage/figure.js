@@ -63,9 +63,8 @@ export class Figure {
     if (this.#revision !== revision) {
       this.#revision = revision;
       const layers = this.#read(scene, 0, [...this.#still, ...this.#rigid]);
-      const moving = layers.findIndex(({ body }) => body !== 0);
-      this.#still = layers.slice(0, moving);
-      this.#rigid = layers.slice(moving);
+      this.#still = layers.filter(({ body }) => body === 0);
+      this.#rigid = layers.filter(({ body }) => body !== 0);
     }
     const { poses, end } = readPoses(frame);
     this.#poses = poses;

@@ -1,5 +1,6 @@
 // Places where the state outlives the page: the address and the browser's storage. The page also works without them.
 import { toFile } from "assur/state/codec.js";
+import { VIEW_KEYS } from "assur/state/coordinate.js";
 import { withExtras } from "assur/state/state.js";
 
 /** @typedef {import("assur/state/state.js").State} State */
@@ -106,8 +107,8 @@ export function takeUpAddress() {
 }
 
 /**
- * Keeps every change in the browser's storage and in the address. In motion, a change that leaves the document as it is
- * is kept only when the motion stops or the page is hidden or left.
+ * Keeps every change in the browser's storage and in the address. The input of a motion is kept when the motion stops or
+ * the page is hidden or left.
  * @param {import("assur/state/store.js").Store<State>} store
  * @param {import("assur/state/address.js").Address} address
  * @param {(state: State) => boolean} accepts whether the engine takes the state; a refused state is not kept
@@ -152,8 +153,8 @@ export function persist(store, address, accepts, ours, unkept) {
   if (ours) addEventListener("storage", onStorage);
   store.subscribe((state, previous) => {
     changed = true;
-    // In motion the view changes in every frame, too often to be written each time.
-    if (state.view.playing && previous.view.playing && state.document === previous.document) return;
+    // In motion the input changes in every frame, too often to be written each time.
+    if (state.view.playing && previous.view.playing && hasOnlyMoved(state, previous)) return;
     timer ||= setTimeout(save, PERIOD);
   });
   addEventListener("pagehide", () => {
@@ -163,6 +164,20 @@ export function persist(store, address, accepts, ours, unkept) {
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) save();
   });
+}
+
+/**
+ * @param {State} state
+ * @param {State} previous
+ * @returns {boolean} whether both states are the same except for the input
+ */
+function hasOnlyMoved(state, previous) {
+  const parts = /** @type {(keyof State)[]} */ (Object.keys(state));
+  const views = /** @type {(keyof State["view"])[]} */ (Object.keys(state.view));
+  /** @type {readonly string[]} */
+  const moving = VIEW_KEYS;
+  return parts.every((name) => name === "view" || state[name] === previous[name])
+    && views.every((name) => moving.includes(name) || state.view[name] === previous.view[name]);
 }
 
 /** The image in the browser's storage: written when it changes, removed when there is none. */

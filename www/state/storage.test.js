@@ -186,3 +186,22 @@ test("a lesson's answers have the room of those that are forgotten for them", ()
   keepLesson("own.next", "x".repeat(90));
   assert.deepEqual([told, texts.get("assur.lesson.own.next"), kept("lesson.own.r0")], [[], "x".repeat(90), null]);
 });
+
+test("in motion the input waits for the end, all else is kept after a while", (t) => {
+  t.mock.timers.enable({ apis: ["setTimeout"] });
+  const { store } = begin();
+  const speedOf = () => JSON.parse(texts.get("assur.state") ?? "{}").view?.speed;
+  const phiOf = () => JSON.parse(texts.get("assur.state") ?? "{}").view?.phi_deg;
+  store.update((state) => withView(state, { playing: true }));
+  t.mock.timers.tick(400);
+  for (const phi of [10, 20, 30]) store.update((state) => withView(state, { phi_deg: phi }));
+  t.mock.timers.tick(4000);
+  assert.notEqual(phiOf(), 30);
+  store.update((state) => withView(state, { speed: 3 }));
+  t.mock.timers.tick(400);
+  assert.deepEqual([speedOf(), phiOf()], [3, 30]);
+  store.update((state) => withView(state, { phi_deg: 40 }));
+  store.update((state) => withView(state, { playing: false }));
+  t.mock.timers.tick(400);
+  assert.equal(phiOf(), 40);
+});

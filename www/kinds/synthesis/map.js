@@ -39,9 +39,9 @@ export class FamilyMap {
     };
     element.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      this.#held = true;
       element.setPointerCapture(event.pointerId);
       take(event);
+      this.#held = true;
     });
     element.addEventListener("pointermove", (event) => {
       if (this.#held) take(event);
