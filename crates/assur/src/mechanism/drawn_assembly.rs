@@ -172,7 +172,8 @@ impl Layout {
         }
     }
 
-    /// Input of a configuration or, if the pose at this input has no derivatives, an input next to it.
+    /// The input of a configuration or, if the pose there has no derivatives, an input next to it. None if no such pose
+    /// exists.
     pub(super) fn entry(
         &self,
         signs: &AssemblySigns,

@@ -156,7 +156,6 @@ impl Mechanism {
 }
 
 impl LinkageSpec {
-    /// The name of a link or of the frame.
     pub(super) fn name_of(&self, link: LinkOrFrame) -> &str {
         link.map_or(FRAME, |link| &self.links[link.index()].name)
     }

@@ -68,7 +68,6 @@ impl Mechanism {
         Enclosure::new(self.bodies().len(), self.steps().len())
     }
 
-    /// Span of the input: one turn, or the range of the driven slide.
     pub(crate) fn span(&self) -> f64 {
         self.layout.span()
     }

@@ -60,7 +60,8 @@ impl Layout {
         changed
     }
 
-    /// Position on the first of two links of one body, converted to the coordinates of the second.
+    /// Converts a position on the first of two links of one body to the coordinates of the second. None if a link has
+    /// no shape.
     fn on_other(&self, spec: &LinkageSpec, at: Point, links: [LinkId; 2]) -> Option<Point> {
         let [from, to] = links.map(|link| self.axes(spec, link));
         let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
