@@ -72,7 +72,6 @@ impl Mechanism {
         self.layout.span()
     }
 
-    /// The step that places a body; None for the frame.
     pub(crate) fn placed_by(&self, body: BodyId) -> Option<StepId> {
         self.layout.placed_by[body]
     }

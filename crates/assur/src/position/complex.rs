@@ -235,8 +235,8 @@ mod tests {
         assert_eq!(v.left()[0], Vector::new(-4.0, 3.0));
     }
 
-    /// A vector of length 5 at (3, 4) whose abscissa is that of uniform rotation, 3 cos t − 4 sin t, has its ordinate
-    /// too.
+    /// A vector of constant length 5 starts at (3, 4). If its abscissa is that of uniform rotation, 3 cos t − 4 sin t,
+    /// its ordinate is also that of the rotation.
     #[test]
     fn a_vector_of_constant_length_follows_from_its_projection() {
         let abscissa = Jet::<4>::of_derivatives([3.0, -4.0, -3.0, 4.0]);

@@ -45,7 +45,6 @@ pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 /// Maximum distance between points that count as close, relative to the lengths that determine their positions. The
 /// direction between close points loses digits. Derivatives of a dyad with close outer hinges lose digits, too.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
-/// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
 
 /// A point of a body, in local coordinates.

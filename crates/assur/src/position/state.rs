@@ -232,7 +232,7 @@ mod tests {
         Vector::new(angle.cos(), angle.sin())
     }
 
-    /// From 170° to the turn of −170°, 20° on: 190°; then back to 170°.
+    /// From 170°, the direction of −170° is reached 20° on, at 190°; then back to 170°.
     #[test]
     fn an_angle_continues_beyond_half_a_turn() {
         let [from, to] = [170_f64, -170.0].map(f64::to_radians);
@@ -266,7 +266,6 @@ mod tests {
         );
     }
 
-    /// Whole turns of the start are kept: 5 turns and 0°, then 90° back.
     #[test]
     fn whole_turns_of_the_nearby_pose_are_kept() {
         let start = Orientation {

@@ -81,10 +81,10 @@ pub(super) struct Surplus {
 }
 
 impl Pebbles {
-    /// Counts the constraints of pairs and drivers, except on links that `keep` excludes, and finds the parts of the
-    /// graph with surplus constraints. No two parts share a constraint, and the order of the pairs does not change the
-    /// parts: they are the connected components of the matroid (any two of its circuits that share an element share two
-    /// nodes, and conversely).
+    /// Counts the constraints of pairs and drivers between links for which `keep` is true, and finds the parts of the
+    /// graph with surplus constraints. These parts are the connected components of the matroid of the constraints: no
+    /// two of them share a constraint, and the order of the pairs does not change them. Circuits of the matroid that
+    /// share two nodes belong to the same component.
     pub(super) fn count(
         graph: &Graph,
         drivers: &[Driver],

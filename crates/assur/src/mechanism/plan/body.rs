@@ -181,7 +181,6 @@ impl Bodies {
         self.points.ids()
     }
 
-    /// Orientations of all bodies in the drawing.
     pub(in crate::mechanism) fn orientations(&self) -> List<BodyId, Orientation> {
         let drawn = self.ids().map(|body| Orientation {
             angle: self.drawn_angle(body),
@@ -190,7 +189,6 @@ impl Bodies {
         drawn.collect()
     }
 
-    /// The gear couplings that are not passive.
     pub(in crate::mechanism) fn active_gears(
         &self,
     ) -> impl DoubleEndedIterator<Item = &Gear> + Clone {

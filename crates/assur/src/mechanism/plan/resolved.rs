@@ -169,7 +169,6 @@ impl<'a> Resolved<'a> {
         }
     }
 
-    /// The body of a link, or of the frame.
     pub(in crate::mechanism) fn body(&self, link: LinkOrFrame) -> BodyId {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)
     }
@@ -186,7 +185,6 @@ impl<'a> Resolved<'a> {
         self.link_name(self.bodies[body])
     }
 
-    /// Defect of two coincident points of a link.
     pub(in crate::mechanism) fn coincident(
         &self,
         link: LinkOrFrame,
@@ -222,7 +220,6 @@ fn body(
     None
 }
 
-/// Look-up of the names of a specification.
 struct Names<'a>(&'a LinkageSpec);
 
 impl Names<'_> {

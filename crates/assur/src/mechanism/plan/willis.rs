@@ -27,12 +27,10 @@ impl Equation {
         equation
     }
 
-    /// The bodies of the equation, with the coefficients of their angles.
     pub(in crate::mechanism) fn terms(&self) -> impl Iterator<Item = (BodyId, i128)> {
         self.0.iter().copied()
     }
 
-    /// The coefficient of a body's angle.
     fn factor(&self, body: BodyId) -> Option<i128> {
         let found = self.0.binary_search_by_key(&body, |(body, _)| *body);
         found.ok().map(|at| self.0[at].1)

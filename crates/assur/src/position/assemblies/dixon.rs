@@ -47,7 +47,8 @@ struct Loops {
 }
 
 /// Approximate unknowns and conjugates of all solutions, with one solution of each conjugate pair. Newton's method does
-/// not converge from spurious candidates. None if the group has pairs other than hinges.
+/// not converge from spurious candidates. None if the group has pairs other than hinges, or if its determinant is
+/// degenerate.
 pub(super) fn candidates(system: &System, hidden: usize) -> Option<Vec<Vec<C>>> {
     let forms: Option<Vec<&Affine>> = system.equations.iter().map(unit).collect();
     let mut forms = forms?;
