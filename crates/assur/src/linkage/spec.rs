@@ -185,9 +185,9 @@ pub enum Defect {
     NoDriver,
     /// Links that nothing joins to the frame.
     Loose { links: Vec<String> },
-    /// Fewer drivers than degrees of freedom: these links stay free. `mobility` is W by the count.
+    /// Fewer drivers than degrees of freedom: these links stay free. `mobility` is W by count.
     Underdriven { mobility: isize, links: Vec<String> },
-    /// Links that are locked by too many pairs, or driven twice. `mobility` is W by the count.
+    /// Links that are locked by too many pairs, or driven twice. `mobility` is W by count.
     Locked { mobility: isize, links: Vec<String> },
     /// Links that can move only for an instant: the rank of their constraints allows a motion in the drawn pose, but
     /// the constraints hold in no pose near it.

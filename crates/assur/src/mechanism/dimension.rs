@@ -252,7 +252,7 @@ impl LinkageSpec {
     }
 }
 
-/// Shape of a link. Of a link with two points only the length matters, so they are put on the x-axis.
+/// Shape of a link. If it has two points, only their distance matters, so they are put on the x-axis.
 pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
     match shape[..] {
         [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],

@@ -146,7 +146,6 @@ impl Layout {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)
     }
 
-    /// Offset of the angle of a link from the angle of its body.
     pub(super) fn angle_offset(&self, link: LinkOrFrame) -> f64 {
         link.map_or(0.0, |link| self.links[link].angle_offset)
     }

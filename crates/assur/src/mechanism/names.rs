@@ -116,7 +116,8 @@ impl Mechanism {
         self.terms().join(" → ")
     }
 
-    /// Terms of the structural formula with the names of links: first of the structure, then of the doubled links.
+    /// Terms of the structural formula with the names of links: those of the structure, then those of the doubled
+    /// links.
     pub fn terms(&self) -> Vec<String> {
         let body_name = |link| self.body_name(BodyId::at(link));
         let doubled = self.doubled().iter();

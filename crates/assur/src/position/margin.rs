@@ -120,8 +120,8 @@ mod tests {
         }
     }
 
-    /// Nearly parallel lines: the x axis, and a line that turns about the point (3, 0). Their intersection is on both in all
-    /// derivatives.
+    /// Nearly parallel lines: the x-axis, and a line that turns about the point (3, 0). Their intersection is on both
+    /// in all derivatives.
     #[test]
     fn nearly_parallel() {
         let [origin, axis, pivot] =

@@ -28,7 +28,8 @@ pub(crate) struct SmoothRoot {
 }
 
 impl SmoothRoot {
-    /// Taylor series of the root at the change point, from the square `at` this point; for inputs close to it.
+    /// Taylor series of the root at the change point, from the square there (`at`). It serves for inputs close to the
+    /// change point.
     pub(crate) fn beside(
         (step, sign): (StepId, f64),
         [input, radius]: [f64; 2],

@@ -75,7 +75,7 @@ impl<const N: usize> StepContext<'_, N> {
         }
     }
 
-    /// The signed root near a change point, if the step has one nearby.
+    /// The signed root around a change point near the input; None if the step has no change point there.
     #[inline(always)]
     pub(super) fn smooth_root(&self) -> Option<Jet<N>> {
         let mut smooth_roots = self.near.smooth_roots.iter();
@@ -166,7 +166,6 @@ pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
     }
 }
 
-/// A step of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Step {
     Crank(Crank),

@@ -100,7 +100,7 @@ impl Group {
             }
             sort(&mut here);
             here.dedup_by_key(|(body, _)| *body);
-            // A pair is inner if none of its links is solved before.
+            // A pair is inner if none of its links is solved before the group.
             let base = depends.base(pair.links());
             let outer = group.body_of(base).is_none();
             if outer {

@@ -26,7 +26,6 @@ pub(super) struct Pebbles {
 /// A link, or the point of a hinge.
 #[derive(Clone, Copy)]
 struct Node {
-    /// Number of free pebbles.
     free: usize,
     /// Number of constraints that the node pays for.
     spent: usize,
@@ -186,7 +185,6 @@ impl Pebbles {
             .map(|(node, _)| node)
     }
 
-    /// Number of free pebbles on the nodes.
     pub(super) fn free_on(&self, nodes: &[usize]) -> usize {
         nodes.iter().map(|&node| self.nodes[node].free).sum()
     }
@@ -293,7 +291,7 @@ mod tests {
         assert_eq!(part.excess, 1);
         assert_eq!(part.nodes, (0..10).collect::<Vec<usize>>());
         assert_eq!(pebbles.free_on(&part.nodes), 3);
-        // One diagonal braces it without a surplus.
+        // One diagonal braces the square without a surplus.
         let braced: [&[usize]; 4] = [&[0, 1, 4], &[1, 2], &[2, 3, 4], &[3, 0]];
         assert!(counted(5, &braced).1.is_empty());
     }

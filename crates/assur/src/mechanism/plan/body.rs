@@ -30,7 +30,7 @@ pub(in crate::mechanism) struct Gear {
     pub(in crate::mechanism) by_link: resolved::Gear,
     pub(in crate::mechanism) bodies: [BodyId; 2],
     pub(in crate::mechanism) carrier: BodyId,
-    /// True if the equation of this coupling follows from the equations of other couplings.
+    /// True if the equation of this coupling follows from the equations of earlier couplings.
     pub(in crate::mechanism) is_passive: bool,
 }
 

@@ -43,7 +43,7 @@ pub(in crate::mechanism) struct Drawn<'a> {
     pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
-/// Bodies placed by the steps so far.
+/// The bodies, and which of them are placed by the steps planned so far.
 pub(in crate::mechanism) struct Placed<'a> {
     pub(in crate::mechanism) bodies: &'a Bodies,
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
@@ -160,7 +160,7 @@ pub(in crate::mechanism) fn plan(
     Ok(plan)
 }
 
-/// Hinge between a body and a body already solved.
+/// Hinge between a body to be solved and a body already solved.
 pub(in crate::mechanism) struct Hinge {
     joint: PointId,
     at: BodyPoint,

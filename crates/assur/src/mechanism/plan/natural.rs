@@ -216,8 +216,7 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// True if a position on a body is so far from every known point that either of these points determines the whole
-    /// body together with it.
+    /// True if a position on a body, together with any known point of the body, determines the whole body accurately.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {

@@ -130,7 +130,7 @@ pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
     let mut solved = Solved::default();
     for gear in gears {
         let adds = solved.add(&Equation::of(gear), |_| true);
-        // A body in mesh with itself is no coupling, so it is not a passive one.
+        // A body in mesh with itself is a defect, not a passive coupling.
         gear.is_passive = gear.bodies[0] != gear.bodies[1] && adds == Some(Adds::Nothing);
     }
 }

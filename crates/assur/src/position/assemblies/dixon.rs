@@ -152,7 +152,8 @@ struct Pencil {
     rho: C,
     constant: DMatrix<f64>,
     linear: DMatrix<f64>,
-    /// The remaining columns; `eliminated` has the other columns in the order of elimination, each with its row.
+    /// The columns that remain after elimination. `eliminated` has the other columns in the order of elimination, each
+    /// with its row.
     kept: Vec<usize>,
     eliminated: Vec<(usize, Vec<f64>)>,
 }

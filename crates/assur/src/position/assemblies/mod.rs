@@ -28,19 +28,15 @@ pub enum Method {
     Paths,
 }
 
-/// An assembly of a group.
 #[derive(Clone, Debug)]
 pub(crate) struct GroupAssembly {
-    /// Unknowns of the group in this assembly.
     pub(crate) unknowns: Vec<Vector>,
     /// Rotations, as unit vectors, of bodies with a driven angle between them, which is known except for whole turns.
     pub(crate) turns: Vec<(BodyId, Vector)>,
 }
 
-/// All assemblies of a group.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GroupAssemblies {
-    /// The real assemblies.
     pub(crate) real: Vec<GroupAssembly>,
     /// True if the assemblies need no Newton steps: they were tracked, and no derivatives are wanted.
     pub(crate) solved: bool,
@@ -144,8 +140,8 @@ impl Group {
         Ok(Some(assemblies))
     }
 
-    /// The last system with the constants for the present inputs in place of its own. None if more than constants
-    /// differs.
+    /// The last system with its constants replaced by those for the present inputs. None if derivatives are wanted, or
+    /// if the present system may differ in more than constants.
     fn refreshed<const N: usize>(&self, mut system: System, state: &State<N>) -> Option<System> {
         let sources = system.sources.as_ref().filter(|_| N == 1)?;
         let value = |form: usize| number(state.work.values[form][0]);

@@ -174,7 +174,6 @@ impl Elimination {
         best.map(|(pivot, ..)| pivot)
     }
 
-    /// True if the elimination is planned.
     pub(crate) fn is_planned(&self) -> bool {
         !self.pivots.is_empty()
     }
@@ -184,7 +183,6 @@ impl Elimination {
         self.rows.contains(&row)
     }
 
-    /// Exponent of the power of two that scales the determinants.
     pub(crate) fn exponent(&self) -> i32 {
         self.exponent
     }

@@ -82,7 +82,6 @@ pub(crate) enum Equation {
 }
 
 impl Equation {
-    /// The forms in the equation.
     pub(in crate::position) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
             Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],

@@ -112,7 +112,7 @@ impl Plan<'_> {
         });
     }
 
-    /// Adds the condition of a driven pair.
+    /// Adds the condition of a driven pair. None if the pair is a hinge and one of its bodies is not placed.
     pub(in crate::mechanism) fn drive(&mut self, pair: &DrivenPair) -> Option<()> {
         let mesh = self.angle_constraints.len();
         let course = pair.course;
