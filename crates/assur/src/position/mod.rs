@@ -137,7 +137,7 @@ pub enum Cause {
         /// Excess or lack, in the unit of length.
         by: f64,
     },
-    /// A link is too short by this length to reach its guide, or the offset of a line from one hinge is too large by
+    /// A link is too short by this length to reach its guide. Or the offset of a line from one hinge is too large by
     /// this length for the line to reach the other hinge.
     OutOfReach {
         /// Excess or lack, in the unit of length.
@@ -158,6 +158,6 @@ pub enum Cause {
     },
     /// The pose exists, but the motion does not reach it.
     Unreached,
-    /// The motion was followed only up to an earlier input; it is unknown whether it reaches this input.
+    /// The motion was followed only up to an earlier input. Whether the motion reaches this input is unknown.
     Unfollowed,
 }

@@ -131,7 +131,7 @@ impl<const N: usize> State<N> {
         (self.place(track.line), direction)
     }
 
-    /// Position of the point of a track's link.
+    /// Position of the point of a track.
     pub(crate) fn track_point(&self, track: &Track) -> Vector {
         let body = &self.bodies[track.body];
         body.origin.value() + product(body.turn.value(), track.point)

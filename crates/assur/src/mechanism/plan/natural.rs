@@ -174,7 +174,7 @@ impl Plan<'_> {
                 slide,
                 other,
             }),
-            // Of pairs of points equally far apart, the first is taken.
+            // The two points farthest apart are taken; of equally distant pairs, the first.
             None => {
                 let pairs = known.iter().enumerate();
                 let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));

@@ -17,7 +17,7 @@ pub(in crate::mechanism) struct Resolved<'a> {
     /// otherwise 0. Subtracting it is exact (Sterbenz's lemma), so a direction given by two points close together is
     /// not changed.
     pub(in crate::mechanism) origin: Vector,
-    /// Drawn positions of the points.
+    /// Drawn positions of the points, relative to `origin`.
     pub(in crate::mechanism) places: List<PointId, Vector>,
     pub(in crate::mechanism) frame: Vec<PointId>,
     pub(in crate::mechanism) links: List<LinkId, Link>,

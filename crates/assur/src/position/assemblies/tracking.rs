@@ -64,7 +64,8 @@ impl Group {
     }
 
     /// Tracks all assemblies from their extrapolations; None if some are lost or do not stay distinct. The flag is
-    /// false if a pair was found again from its mean, as when a real pair becomes complex or a complex pair real.
+    /// false if a pair was lost and then found again from its mean: a real pair may become complex, and a complex pair
+    /// real.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,

@@ -1,9 +1,9 @@
 //! An Assur group of any class, by Newton's method in natural coordinates.
 //!
 //! The unknowns are positions of joints and directions of links as complex numbers. Links are rigid, so every other
-//! position is a linear form of the unknowns with constant complex coefficients (class4 paper, (3)–(5)). The equations
-//! are quadratic, and for gear meshes linear in angles. Derivatives follow order by order from the Jacobian at the
-//! solution: J x⁽ᵏ⁾ = −(residual of the lower orders).
+//! position is a linear form of the unknowns with constant complex coefficients (Class IV paper in `docs/papers.md`,
+//! (3)–(5)). The equations are quadratic, and for gear meshes linear in angles. Derivatives follow order by order from
+//! the Jacobian at the solution: J x⁽ᵏ⁾ = −(residual of the lower orders).
 
 mod angle_constraint;
 mod certified;
