@@ -1,4 +1,5 @@
-//! Checks of a specification without the geometry of the whole linkage: everything named exists, and numbers are valid.
+//! Checks of a specification without the geometry of the whole linkage: everything named exists, numbers are valid, and
+//! the links of each pair have its points.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +8,6 @@ use super::tracer;
 use crate::gears::{Mesh, TEETH};
 use crate::tolerance::{self, FARTHEST};
 
-/// Finds all defects of names and numbers.
 pub(crate) fn defects(spec: &LinkageSpec) -> Vec<Defect> {
     let mut found = Vec::new();
     names(spec, &mut found);
@@ -77,7 +77,7 @@ fn names(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     }));
 }
 
-/// True if a coordinate or a length is finite and in range.
+/// True if a number is finite and at most [`FARTHEST`] in absolute value.
 fn sound(value: f64) -> bool {
     value.is_finite() && value.abs() <= FARTHEST
 }
@@ -132,7 +132,8 @@ fn points_of(spec: &LinkageSpec, link: &str, points: &[String], found: &mut Vec<
         shape.get(index).copied()
     };
     let coincide = |a: &String, b: &String| {
-        // Points of a shape are compared with the size of the shape, because the link may be drawn at another scale.
+        // The distance of points of a shape is compared with the size of the shape, because the link may be drawn at
+        // another scale.
         let (ends, size) = match (in_shape(a), in_shape(b), own) {
             (Some(a), Some(b), Some((_, shape))) => {
                 ((Some(a), Some(b)), extent(shape.iter().map(|at| at.coords)))
@@ -249,7 +250,7 @@ fn meshing(spec: &LinkageSpec, gear: &GearSpec, found: &mut Vec<Defect>) {
 }
 
 impl LinkageSpec {
-    /// All defects of names and numbers, which can be found without the geometry of the whole linkage.
+    /// All defects that can be found without the geometry of the whole linkage.
     pub fn defects(&self) -> Vec<Defect> {
         defects(self)
     }

@@ -2,8 +2,8 @@
 
 use super::LinkageSpec;
 
-/// A slider-crank driven by its crank AB, with the rod BC, drawn with B and C at these positions. The slider at C slides
-/// along the line from A, the origin, to E at (19, 0).
+/// A slider-crank with the driven crank AB and the rod BC, drawn with B and C at the given positions. The slider at C
+/// slides along the line from A, the origin, to E at (19, 0).
 pub(crate) fn slider_crank([b, c]: [[f64; 2]; 2]) -> LinkageSpec {
     LinkageSpec::default()
         .point("A", 0.0, 0.0)

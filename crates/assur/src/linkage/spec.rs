@@ -1,4 +1,4 @@
-//! A specification of a linkage, valid or not. [`crate::mechanism::Mechanism::new`] lists all defects.
+//! A specification of a linkage, valid or not. [`crate::mechanism::Mechanism::new`] refuses an invalid one.
 
 use super::TracerSpec;
 use crate::gears::Mesh;
@@ -58,7 +58,7 @@ pub struct LinkSpec {
     pub points: Vec<String>,
     /// Coordinates of the points on the link, in the order of `points`; None if the drawing gives the dimensions.
     pub shape: Option<Vec<Point>>,
-    /// The link to which this link is fixed, as a wheel to its shaft: both turn as one.
+    /// The link, or the frame, to which this link is fixed, as a wheel to its shaft: both turn as one.
     pub fixed_to: Option<String>,
     /// Name of the centre of mass, one of the points of the link.
     pub centre_of_mass: Option<String>,
@@ -185,9 +185,9 @@ pub enum Defect {
     NoDriver,
     /// Links that nothing joins to the frame.
     Loose { links: Vec<String> },
-    /// Fewer drivers than degrees of freedom: these links stay free. `mobility` is W by the count.
+    /// Fewer drivers than degrees of freedom: these links stay free. `mobility` is W by count.
     Underdriven { mobility: isize, links: Vec<String> },
-    /// Links that are locked by too many pairs, or driven twice. `mobility` is W by the count.
+    /// Links that are locked by too many pairs, or driven twice. `mobility` is W by count.
     Locked { mobility: isize, links: Vec<String> },
     /// Links that can move only for an instant: the rank of their constraints allows a motion in the drawn pose, but
     /// the constraints hold in no pose near it.
@@ -197,20 +197,20 @@ pub enum Defect {
     Rate { link: String, rate: f64 },
     /// Links whose guides are parallel, but must cross.
     ParallelGuides { links: Vec<String> },
-    /// Links whose angles their meshes do not determine: meshes repeat a condition, or contradict each other.
+    /// Links whose angles are not determined by their meshes: the meshes repeat a condition, or contradict each other.
     TrainUndetermined { links: Vec<String> },
     /// Two wheels whose mesh closes a ring of wheels with a contradictory ratio: the wheels cannot turn together.
     MeshContradicts { links: [String; 2] },
     /// A group of these links that cannot be solved yet.
     Unsupported { links: Vec<String> },
-    /// Links of a group that cannot be joined as drawn. `by` is the distance between the joints that should coincide.
+    /// Links of a group that cannot be joined as drawn. `by` is the length by which they fail to meet.
     Open { links: Vec<String>, by: f64 },
     /// Links of a group drawn in a singular position, at a dead point.
     Singular {
         links: Vec<String>,
         singularity: Singularity,
     },
-    /// Links of undetermined angle as drawn: two hinges, joined to each other only by these links, coincide.
+    /// Links whose angle is undetermined as drawn: two hinges, joined to each other only by these links, coincide.
     CoincidentHinges { links: Vec<String> },
     /// A point so far from its drawn place, once its links are joined, that the drawing cannot select the assembly.
     Misdrawn { point: String, by: f64 },
@@ -312,7 +312,6 @@ impl LinkageSpec {
         point.map(|point| point.at)
     }
 
-    /// The link with a given name.
     pub(crate) fn link(&self, name: &str) -> Option<&LinkSpec> {
         self.links.iter().find(|link| link.name == name)
     }

@@ -9,12 +9,12 @@ use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
     /// Makes the mechanism of a specification, redrawn in one of its assemblies at an input: an angle in radians or the
-    /// coordinate of a driven slide; None means the drawn input. From the drawing come only dimensions that the
+    /// coordinate of a driven slide; None means the drawn input. The drawing gives only dimensions that the
     /// specification lacks, and the coordinates of further drivers. Returns None if the links cannot be joined at the
     /// input.
     ///
     /// # Errors
-    /// All defects of the specification except defects of its drawing.
+    /// Defects of the specification, apart from those of its drawing.
     pub fn assembled(spec: &LinkageSpec, input: Option<f64>) -> Result<Option<Self>, Vec<Defect>> {
         let spec = spec.spread();
         let defects = check::defects(&spec);

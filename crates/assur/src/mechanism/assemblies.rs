@@ -72,9 +72,9 @@ pub(crate) struct Found<const N: usize> {
     complex: Vec<usize>,
     /// Complex conjugate pairs of solutions, for groups and for dyads out of reach. Empty if `N` is 1.
     pub(crate) unreal: Vec<ComplexPair>,
-    /// Squared sine, with its derivative, of the angle between two guides that must cross. If they are parallel, the
-    /// bodies on them are at infinity; near that input, links joined to these bodies may be within reach over a short
-    /// interval.
+    /// For each pair of guides that must cross: the squared sine of the angle between them, with its derivative. If the
+    /// guides are parallel, the bodies on them are at infinity; near that input, links joined to these bodies may be
+    /// within reach over a short interval.
     pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
 }

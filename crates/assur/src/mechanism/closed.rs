@@ -59,8 +59,8 @@ impl DrivenFourBar<'_> {
         matches!(pose, Err(Unsolved::Undetermined { .. })).then_some(-self.angle_offset)
     }
 
-    /// Inputs within an arc at which two motions meet, in ascending order; the end of the arc is excluded. They cross
-    /// at a change point; in a kite, coupler and rocker also swing freely from one to the other.
+    /// Inputs within an arc at which two motions meet, in ascending order; the end of the arc is excluded. Two motions
+    /// meet at each change point and, in a kite, also at the input of the free swing.
     pub(crate) fn change_points(&self, [from, to]: [f64; 2]) -> Vec<f64> {
         let turns = self.turns();
         let period = TAU * turns as f64;
@@ -89,7 +89,6 @@ impl DrivenFourBar<'_> {
 }
 
 impl Layout {
-    /// Steps solved by the closed form of a four-bar.
     pub(super) fn closed_steps(
         &self,
         mounting: &Mounting,
@@ -112,7 +111,6 @@ impl Layout {
         })
     }
 
-    /// True if the closed form gives the whole motion: see [`Mechanism::whole_closed_form`].
     pub(super) fn whole_closed_form(&self, at: &Configuration) -> bool {
         let known = |step: &Step| match step {
             Step::Crank(_) => true,
@@ -127,8 +125,8 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel is back at its angle whenever the crank or rocker that turns it is back at its own, or if the
-    /// wheel looks the same at any angle.
+    /// True if a wheel looks the same at any angle, or returns to its angle whenever the crank or rocker that turns it
+    /// does.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;
@@ -152,14 +150,15 @@ impl Mechanism {
         self.layout.closed_steps(self.mounting())
     }
 
-    /// True if the closed form gives the whole motion: the only driver is a crank, there is at most one four-bar, and
-    /// wheels return to their angles with the crank or rocker and drive nothing else.
+    /// True if closed forms give the whole motion. The linkage then consists of one driven crank, at most one four-bar,
+    /// and wheels that drive nothing and return to their angles together with the crank or rocker.
     pub(crate) fn whole_closed_form(&self) -> bool {
         self.layout.whole_closed_form(&self.drawn)
     }
 
-    /// Inputs within an arc at which the crank is in line with the outer hinges of an RRR or RPR dyad, one hinge on the
-    /// crank and the other fixed. At these inputs the distance between the two hinges is minimum or maximum.
+    /// Inputs within an arc at which the pivot of the crank is in line with the two outer hinges of an RRR or RPR dyad,
+    /// of which one is on the crank and the other is fixed. The distance between these hinges is then minimum or
+    /// maximum.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.angle_offset);
         let guided = self.steps().iter().filter_map(|step| match step {
@@ -173,7 +172,7 @@ impl Mechanism {
     }
 
     /// Angle at the pivot of the first crank, from the fixed hinge to the hinge on the crank, less the input. None
-    /// unless one of the `hinges` is fixed and the other is on this crank.
+    /// unless one of the `hinges` is fixed and the other is on this crank, which must be hinged to the frame.
     fn lead_of(&self, hinges: [BodyPoint; 2]) -> Option<f64> {
         let [fixed, driven] = match hinges.map(|hinge| hinge.body == BodyId::FRAME) {
             [true, false] => hinges,

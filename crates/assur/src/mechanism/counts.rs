@@ -75,7 +75,6 @@ impl Layout {
     }
 }
 
-/// Counts of bodies, doubled links, slides, gears, and hinges at the given points.
 pub(super) fn counts(
     bodies: &Bodies,
     doubled: &[DoubledLink],
@@ -94,7 +93,7 @@ pub(super) fn counts(
         links: graph.links - 1 + idlers + doubled,
         lower_pairs: graph.lower_pairs() + idlers + hinges,
         higher_pairs: graph.higher_pairs() + passive + idlers,
-        // An idler does not change the mobility: of its 3 freedoms, its hinge removes 2 and one more mesh 1.
+        // An idler does not change the mobility: its hinge and the mesh that it adds remove its 3 freedoms, 2 + 1.
         mobility: graph.mobility() - passive as isize + 3 * doubled as isize - 2 * hinges as isize,
         passive,
     }

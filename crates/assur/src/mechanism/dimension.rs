@@ -6,8 +6,7 @@ use crate::mechanism::{DoubledLink, Mechanism, Part, Setting};
 use crate::{Point, Vector};
 use nalgebra::Rotation2;
 
-/// A dimension of a linkage, valid only with the mechanism from which the id of its link, slide or point comes. Setting
-/// a dimension leaves the rest of the linkage unchanged.
+/// A dimension of a linkage. It is valid only with the mechanism from which the id of its link, slide or point comes.
 ///
 /// ```
 /// # use assur::{linkage::LinkageSpec, mechanism::{Dimension, Mechanism}};
@@ -51,8 +50,8 @@ const MAX_SHIFT: f64 = 0.1;
 impl Mechanism {
     /// All dimensions, in the order of the specification: first the length, sides and corners of each link, then
     /// offsets of slides, then coordinates of hinges and guide points of the frame. A point of the frame is left out if
-    /// a driven slide is measured from it, or if a link at this point is fixed to another link, carries a fixed link or
-    /// doubles the frame.
+    /// it defines the line of a driven slide, or if a link at this point is fixed to another link, carries a fixed link
+    /// or doubles the frame.
     pub fn dimensions(&self) -> Vec<Dimension> {
         let spec = self.spec();
         let links = self.link_ids().zip(&spec.links);
@@ -71,7 +70,7 @@ impl Mechanism {
     }
 
     /// True if a dimension exists. A link that forms one body with another link or the frame has no dimension at a
-    /// point that both share, if the other is the frame or must keep its shape.
+    /// point that both share, if the other one is the frame or a link that must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {
@@ -121,7 +120,7 @@ impl Mechanism {
         })
     }
 
-    /// Value equivalent to a given one, and nearest to the current value: an angle changes by at most half a turn.
+    /// The equivalent of a given value that is nearest to the current value: a corner changes by at most half a turn.
     pub fn nearest(&self, dimension: Dimension, value: f64) -> f64 {
         match (dimension, self.value(dimension)) {
             (Dimension::Corner(..), Some(from)) => crate::angle::nearest_to(value, from),
@@ -189,7 +188,7 @@ impl LinkageSpec {
         shaped
     }
 
-    /// True if the drawn linkage has a given dimension.
+    /// True if the specification has a dimension, without regard to doubled links.
     fn has(&self, dimension: Dimension) -> bool {
         let shaped = |link: LinkId| self.links.get(link.index()).filter(|own| self.is_free(own));
         let has_corner = |link: LinkId, point: usize| {
@@ -214,8 +213,8 @@ impl LinkageSpec {
         link.fixed_to.is_none() && (points == 2 || points > 2 && !self.is_base(&link.name))
     }
 
-    /// True if a point of the frame is a hinge or defines a guide, and nothing else depends on its position. No driven
-    /// slide is measured from the point, and no link at the point is fixed to another link or carries a fixed link.
+    /// True if a point of the frame is a hinge or defines a guide, and nothing else depends on its position: it defines
+    /// no line of a driven slide, and no link at the point is fixed to another link or carries a fixed link.
     fn can_move(&self, point: &String) -> bool {
         let has = |link: &LinkSpec| link.points.contains(point);
         let guides = |slide: &SlideSpec| slide.line.contains(point);
@@ -230,24 +229,22 @@ impl LinkageSpec {
             && !self.links.iter().any(|link| has(link) && lies(link))
     }
 
-    /// Vector between two points of a link, in the coordinates of the link.
+    /// Vector from one point of a link to another, in the coordinates of [`Self::on_link`].
     fn ray(&self, link: LinkId, [from, to]: [usize; 2]) -> Vector {
         let link = &self.links[link.index()];
         self.on_link(link, to) - self.on_link(link, from)
     }
 
-    /// Distance between two points of a link.
     fn side(&self, link: LinkId, ends: [usize; 2]) -> f64 {
         self.ray(link, ends).norm()
     }
 
-    /// Angle at the first point of a link, from the second point to a later point.
     fn corner(&self, link: LinkId, point: usize) -> f64 {
         let [from, to] = [1, point].map(|end| self.ray(link, [0, end]));
         from.perp(&to).atan2(from.dot(&to))
     }
 
-    /// Position of a point on its link; the point is given by its index among the link's points.
+    /// Position of a point, given by its index on a link: in the link's shape or, without a shape, in the drawing.
     pub(super) fn on_link(&self, link: &LinkSpec, point: usize) -> Point {
         let shape = link.shape.as_ref().and_then(|shape| shape.get(point));
         let drawn = || self.place(link.points.get(point)?);
@@ -255,7 +252,7 @@ impl LinkageSpec {
     }
 }
 
-/// Shape of a link. If it has only two points, they are put on the x-axis, because only their distance matters.
+/// Shape of a link. If it has two points, only their distance matters, so they are put on the x-axis.
 pub(super) fn along_axis(shape: Vec<Point>) -> Vec<Point> {
     match shape[..] {
         [from, to] => vec![Point::origin(), Point::new((to - from).norm(), 0.0)],

@@ -103,7 +103,7 @@ impl Layout {
         }
     }
 
-    /// Sign of a step for which its points are closest to their drawn positions.
+    /// The sign for which the points of a step are closest to their drawn positions.
     pub(super) fn drawn_sign(
         &self,
         spec: &LinkageSpec,
@@ -172,7 +172,8 @@ impl Layout {
         }
     }
 
-    /// Input of a configuration or, if the pose at this input has no derivatives, an input next to it.
+    /// The input of a configuration or, if the pose there has no derivatives, an input next to it. None if no such pose
+    /// exists.
     pub(super) fn entry(
         &self,
         signs: &AssemblySigns,
@@ -183,8 +184,8 @@ impl Layout {
         inputs.find(|input| self.solve(*input, signs, at, state).is_ok())
     }
 
-    /// Input of a configuration and one input on each side of it, for a singular drawn pose. Neighbouring inputs are
-    /// 0.001 rad apart for a crank, and 0.001/2π of its range for a slide.
+    /// The input of a configuration and one input on each side, in case the drawn pose is singular. They are 0.001 rad
+    /// apart for a crank, and 0.001/2π of the range for a slide.
     pub(super) fn entries(&self, at: &Configuration) -> [f64; 3] {
         [0.0, tolerance::NEAR, -tolerance::NEAR].map(|aside| at.input + aside * self.span() / TAU)
     }

@@ -58,9 +58,9 @@ pub(super) struct PassiveLinks {
 }
 
 impl Layout {
-    /// Makes the layout of a specification with a given structure, together with a first guess of the configuration,
-    /// taken from the drawing; its loops need not close. If the drawn pose is known, the angles of the guess include
-    /// the whole turns that they have in that pose.
+    /// Makes the layout of a specification with a given structure, and a first guess of the configuration from the
+    /// drawing. The loops of the guess need not close. If the drawn pose is known, it gives the whole turns of the
+    /// angles.
     ///
     /// # Errors
     /// Inadmissible rates of drivers, or a group that no step can solve.
@@ -146,7 +146,6 @@ impl Layout {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)
     }
 
-    /// Offset of the angle of a link from the angle of its body.
     pub(super) fn angle_offset(&self, link: LinkOrFrame) -> f64 {
         link.map_or(0.0, |link| self.links[link].angle_offset)
     }

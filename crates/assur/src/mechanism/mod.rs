@@ -102,7 +102,8 @@ impl Mechanism {
     /// The mechanism of a specification, in the drawn pose.
     ///
     /// # Errors
-    /// All defects, with the names of the parts at fault.
+    /// Defects, with the names of the parts at fault. Geometry and structure are checked only if names and numbers have
+    /// no defect.
     pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Defect>> {
         let defects = check::defects(spec);
         if !defects.is_empty() {

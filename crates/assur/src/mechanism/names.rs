@@ -116,7 +116,8 @@ impl Mechanism {
         self.terms().join(" → ")
     }
 
-    /// Terms of the structural formula with the names of links: first of the structure, then of the doubled links.
+    /// Terms of the structural formula with the names of links: those of the structure, then those of the doubled
+    /// links.
     pub fn terms(&self) -> Vec<String> {
         let body_name = |link| self.body_name(BodyId::at(link));
         let doubled = self.doubled().iter();
@@ -156,7 +157,6 @@ impl Mechanism {
 }
 
 impl LinkageSpec {
-    /// The name of a link or of the frame.
     pub(super) fn name_of(&self, link: LinkOrFrame) -> &str {
         link.map_or(FRAME, |link| &self.links[link.index()].name)
     }

@@ -57,8 +57,8 @@ impl Mechanism {
         }
     }
 
-    /// The mechanism redrawn with its four-bar in a given assembly. None if the drawing already shows this assembly, if
-    /// the links do not close, or if no drawing selects the given assembly.
+    /// The mechanism redrawn with its four-bar in a given assembly. None if it has no four-bar in closed form or is
+    /// already drawn in this assembly, if the links do not close, or if no drawing selects this assembly.
     pub(crate) fn with_four_bar(&self, assembly: Assembly) -> Option<Self> {
         let step = self.closed_steps().next()?.step;
         let mut signs = self.drawn.signs.clone();

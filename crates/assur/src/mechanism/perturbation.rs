@@ -107,7 +107,6 @@ impl Assembled {
         })
     }
 
-    /// Specification of the linkage, drawn in its pose.
     pub(crate) fn spec(&self) -> &LinkageSpec {
         &self.spec
     }
@@ -116,16 +115,16 @@ impl Assembled {
         self.input
     }
 
-    /// Span of the input: a turn, or the range of a slide.
     pub(crate) fn span(&self) -> f64 {
         self.layout.span()
     }
 
-    /// How far a step is from links in line or from a singular pose; comparable between a mechanism and its neighbours.
+    /// Measure of how far a step is from links in line or from a singular pose. It can be compared between a mechanism
+    /// and its neighbours.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
         match self.layout.steps[step] {
-            // The binary logarithm of the Jacobian's determinant.
+            // The binary logarithm of the magnitude of the Jacobian's determinant.
             Step::Group(_) => p.abs().log2() + q,
             _ => p.abs().min(q.abs()),
         }
@@ -166,8 +165,8 @@ impl Mechanism {
 }
 
 impl Layout {
-    /// Layout of a linkage drawn in a known pose, with one setting that differs from the drawing. It is returned with
-    /// its configuration before assembly.
+    /// Layout of a linkage drawn in a known pose, with one setting that differs from the drawing, and the configuration
+    /// before assembly.
     fn with_setting(
         &self,
         spec: &LinkageSpec,
@@ -244,7 +243,8 @@ impl Layout {
         })
     }
 
-    /// Step whose links moved too far for a neighbour, or may be in another assembly; None if there is no such step.
+    /// The step whose links moved too far for a neighbour, or may be in another assembly; None if there is no such
+    /// step.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, MAX_CHANGE);
         if let Some(body) = moved {

@@ -75,7 +75,7 @@ impl Mechanism {
         (pose.state.place(self.layout.points[point]) + Complex::constant(self.layout.origin)).into()
     }
 
-    /// Position of a point of a link, from the pose of this link. None if the point is not on the link.
+    /// Position of a point, computed from the pose of a given link. None if the link's body does not have the point.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -85,7 +85,7 @@ impl Mechanism {
         let body = self.layout.links[link].body;
         let joint = self.layout.bodies.local(body, point);
         let joint = joint.map(|local| BodyPoint { body, local });
-        // A tracer is listed among the points of one body only.
+        // A tracer is not among the points of the bodies, but anchored to one body.
         let own = Some(self.layout.points[point]).filter(|anchor| anchor.body == body);
         let place = pose.state.place(joint.or(own)?);
         Some((place + Complex::constant(self.layout.origin)).into())

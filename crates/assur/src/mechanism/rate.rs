@@ -100,8 +100,9 @@ fn is_whole(rate: f64, turns: usize) -> bool {
 }
 
 impl Layout {
-    /// Extends the period until the wheels that turn in proportion to the input also return, if they carry other links
-    /// or show their orientation. The period becomes [`NEVER`] if one of these wheels does not return.
+    /// Extends the two periods until the wheels that turn in proportion to the input also return: `turns_of_assemblies`
+    /// by the wheels that carry other links, `period_turns` also by those that show their orientation. A period becomes
+    /// [`NEVER`] if one of its wheels does not return.
     pub(super) fn count_turns_of_wheels(&mut self) {
         let [carrying, seen] = [false, true].map(|seen| {
             self.together(|body| self.carries(body) || seen && self.shows_its_angle(body))
@@ -218,7 +219,7 @@ impl Mechanism {
     }
 
     /// Shift of the input that leaves the poses of a motion between two dead points unchanged: [`Self::least_turns`] in
-    /// radians. None without such a number, without a period of the drivers, or if a group depends on the number of
+    /// radians. None if there is no such number or no period of the drivers, or if a group depends on the number of
     /// turns of the crank.
     pub(crate) fn period_of_arcs(&self) -> Option<f64> {
         let rates = self.layout.rates_of_bodies();
@@ -236,7 +237,6 @@ impl Mechanism {
 mod tests {
     use super::*;
 
-    /// 20/60 = 1/3, and −5/2 of a turn returns after two turns.
     #[test]
     fn denominators_of_ratios_of_teeth() {
         for (ratio, expected) in [
@@ -262,7 +262,6 @@ mod tests {
         }
     }
 
-    /// A driver at half the speed returns after two turns, at a third after three.
     #[test]
     fn a_rate_is_whole_after_as_many_turns_as_its_denominator() {
         for (rate, turns, expected) in [

@@ -68,12 +68,10 @@ impl Mechanism {
         Enclosure::new(self.bodies().len(), self.steps().len())
     }
 
-    /// Span of the input: one turn, or the range of the driven slide.
     pub(crate) fn span(&self) -> f64 {
         self.layout.span()
     }
 
-    /// The step that places a body; None for the frame.
     pub(crate) fn placed_by(&self, body: BodyId) -> Option<StepId> {
         self.layout.placed_by[body]
     }

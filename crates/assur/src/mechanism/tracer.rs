@@ -9,7 +9,7 @@ use crate::position::{BodyPoint, product};
 use crate::{Point, Vector};
 
 impl Mechanism {
-    /// Position on its link, as in [`TracerSpec::at`], of a tracer that is at `place` in a pose.
+    /// Position of a tracer on its link, as in [`TracerSpec::at`], if the tracer is at `place` in a pose.
     pub(super) fn on_link_of(&self, tracer: &TracerSpec, pose: &Pose<1>, place: Point) -> Vector {
         let link = self.link(&tracer.link);
         link.map_or(place.coords, |link| self.on_link(pose, link, place))
@@ -21,7 +21,7 @@ impl Mechanism {
         self.spec.tracers.get(tracer)
     }
 
-    /// Converts a position on the frame to the coordinates of a link in a pose, as in [`TracerSpec::at`].
+    /// Converts a position in the drawing to the coordinates of a link in a pose, as in [`TracerSpec::at`].
     pub fn on_link<const N: usize>(&self, pose: &Pose<N>, link: LinkId, place: Point) -> Vector {
         // `Mechanism::new` refuses a link without points.
         let origin = self

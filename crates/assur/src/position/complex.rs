@@ -79,7 +79,6 @@ impl<const N: usize> Complex<N> {
         Self::new(self.x() * factor, self.y() * factor)
     }
 
-    /// The quotient by a number.
     pub(crate) fn over(self, divisor: Jet<N>) -> Self {
         Self::new(self.x() / divisor, self.y() / divisor)
     }
@@ -89,8 +88,8 @@ impl<const N: usize> Complex<N> {
         self.over(self.norm_squared().sqrt())
     }
 
-    /// Vector of constant length with this value, whose scalar product with another vector is given in all orders. If
-    /// the other vector is short, derivatives of a closed form would lose digits; those computed here lose none.
+    /// Vector of constant length with a given value, and with a given scalar product with another vector in all orders.
+    /// If the other vector is short, derivatives of a closed form would lose digits; those computed here lose none.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = crate::perpendicular(along);
@@ -121,7 +120,6 @@ impl<const N: usize> Complex<N> {
 
 impl<const N: usize> Index<usize> for Complex<N> {
     type Output = Vector;
-    /// The Taylor coefficient of an order.
     fn index(&self, order: usize) -> &Vector {
         &self.0[order]
     }
@@ -235,8 +233,8 @@ mod tests {
         assert_eq!(v.left()[0], Vector::new(-4.0, 3.0));
     }
 
-    /// A vector of length 5 at (3, 4) whose abscissa is that of uniform rotation, 3 cos t − 4 sin t, has its ordinate
-    /// too.
+    /// A vector of constant length 5 starts at (3, 4). If its abscissa is that of uniform rotation, 3 cos t − 4 sin t,
+    /// its ordinate is also that of the rotation.
     #[test]
     fn a_vector_of_constant_length_follows_from_its_projection() {
         let abscissa = Jet::<4>::of_derivatives([3.0, -4.0, -3.0, 4.0]);

@@ -58,7 +58,8 @@ mod tests {
     use crate::position::dyads::tests::{at, place};
     use crate::position::{Sign, Step};
 
-    /// A second crank on the end (0, 1) of the first, at 90°. Its own end is 1 from this hinge.
+    /// End of a second crank, with its velocity and acceleration. This crank has the length 1 and is hinged to the end
+    /// (0, 1) of the first crank, which is at 90°.
     fn end(rate: f64) -> [[f64; 2]; 3] {
         let crank = Crank {
             body: BodyId::at(2),

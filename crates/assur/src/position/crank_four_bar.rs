@@ -9,7 +9,7 @@ use crate::index::BodyId;
 use crate::{Assembly, FourBar, Unsolved, Vector};
 
 /// Minimum of the margins P = (l₂ + l₃)² − r² and Q = r² − (l₂ − l₃)², relative to (l₂ + l₃)²; r is the diagonal. Above
-/// it the links are far from in line, and roots lose at most two digits.
+/// this minimum the links are far from in line, and roots lose at most two digits.
 const MIN_MARGIN: f64 = 1.0 / 64.0;
 
 /// A four-bar whose crank is the driver.

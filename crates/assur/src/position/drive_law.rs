@@ -30,7 +30,6 @@ impl DriveLaw {
         }
     }
 
-    /// The coordinate at an input.
     #[inline(always)]
     pub(crate) fn at<const N: usize>(&self, input: Jet<N>) -> Jet<N> {
         input * self.rate + self.offset

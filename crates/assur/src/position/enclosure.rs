@@ -173,7 +173,6 @@ impl Enclosure {
         };
     }
 
-    /// Bound on the second derivative of a body's angle.
     pub(crate) fn angular_acceleration(&self, body: BodyId) -> f64 {
         self.bodies[body].angular_acceleration
     }
@@ -225,7 +224,6 @@ impl Enclosure {
         self.point(from, BodyPoint { body, local })
     }
 
-    /// Bound on the speed of a point.
     pub(crate) fn max_speed(&self, point: &PointBound) -> f64 {
         point.rate.norm() + self.step_len * point.acceleration
     }

@@ -4,8 +4,8 @@ use super::{BodyPoint, Cause, Enclosure, Mounting, Predictor, Solvable, State, S
 use crate::index::{BodyId, PointId, StepId};
 use crate::{Jet, Vector};
 
-/// Wheels and carriers whose angles are determined by gear meshes, each hinged to a body placed before: a wheel in mesh
-/// with a solved wheel, or the carrier between a sun and a ring, together with its planet.
+/// Wheels and carriers whose angles are determined by gear meshes, each hinged to a body placed before. Examples are a
+/// wheel in mesh with a solved wheel, and the carrier between a sun and a ring, together with its planet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct EpicyclicStep {
     /// The bodies in the order in which they are placed.
@@ -28,7 +28,6 @@ pub(crate) struct Member {
 }
 
 impl Member {
-    /// Angle of the body, from the angles of the other bodies.
     fn angle<const N: usize>(&self, state: &State<N>, mounting: &Mounting) -> Jet<N> {
         let terms = self.ratios.iter();
         let terms = terms.map(|(body, ratio)| state.angle(*body) * *ratio);
@@ -85,8 +84,9 @@ mod tests {
     use crate::position::dyads::tests::{at, place};
     use crate::position::{Sign, Step};
 
-    /// A wheel on the end (0, 2) of the crank at 90°, with the crank as its carrier; a point 1 from its centre. `ratio`
-    /// is the speed of the wheel relative to that of the crank.
+    /// Point of a wheel at the distance 1 from its centre, with its velocity and acceleration. The wheel is on the end
+    /// (0, 2) of the crank, which is its carrier and is at 90°. `ratio` is the speed of the wheel relative to that of
+    /// the crank.
     fn on_wheel(ratio: f64) -> [[f64; 2]; 3] {
         let member = Member {
             body: BodyId::at(2),

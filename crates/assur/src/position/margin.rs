@@ -11,7 +11,7 @@ pub(crate) enum Dead {
     Beyond,
 }
 
-/// True if a margin is positive. False if it is zero within rounding error and no derivatives are required; they would
+/// True if a margin is positive. False if it is zero within rounding error and no derivatives are required, which would
 /// be unbounded. `scale` is the size of the squared lengths in the margin.
 pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, Dead> {
     if margin.value() > tolerance::CONVERGED * scale {
@@ -54,7 +54,8 @@ mod tests {
     use super::*;
     use crate::Vector;
 
-    /// √9 with the derivative 12/(2·3). Within rounding of zero the root is zero; its derivatives would be unbounded.
+    /// The root of 9, with the rate 12, is 3, with the rate 12/(2·3). Within rounding of zero the root is zero; its
+    /// derivatives would be unbounded.
     #[test]
     fn a_margin_has_a_root_unless_it_is_negative() {
         let found = root(Jet::<2>::linear(9.0, 12.0), 1.0).ok().unwrap();
@@ -119,8 +120,8 @@ mod tests {
         }
     }
 
-    /// Nearly parallel lines: the x axis, and a line that turns about the point (3, 0). Their intersection is on both in all
-    /// derivatives.
+    /// Nearly parallel lines: the x-axis, and a line that turns about the point (3, 0). Their intersection is on both
+    /// in all derivatives.
     #[test]
     fn nearly_parallel() {
         let [origin, axis, pivot] =

@@ -45,7 +45,6 @@ pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};
 /// Maximum distance between points that count as close, relative to the lengths that determine their positions. The
 /// direction between close points loses digits. Derivatives of a dyad with close outer hinges lose digits, too.
 pub(crate) const CLOSE: f64 = 1.0 / 32.0;
-/// Square of `CLOSE`.
 pub(crate) const CLOSE_SQUARED: f64 = CLOSE * CLOSE;
 
 /// A point of a body, in local coordinates.
@@ -138,7 +137,7 @@ pub enum Cause {
         /// Excess or lack, in the unit of length.
         by: f64,
     },
-    /// A link is too short by this length to reach its guide, or the offset of a line from one hinge is too large by
+    /// A link is too short by this length to reach its guide. Or the offset of a line from one hinge is too large by
     /// this length for the line to reach the other hinge.
     OutOfReach {
         /// Excess or lack, in the unit of length.
@@ -159,6 +158,6 @@ pub enum Cause {
     },
     /// The pose exists, but the motion does not reach it.
     Unreached,
-    /// The motion was followed only up to an earlier input; it is unknown whether it reaches this input.
+    /// The motion was followed only up to an earlier input. Whether the motion reaches this input is unknown.
     Unfollowed,
 }

@@ -81,8 +81,8 @@ mod tests {
         assert!(both.all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
     }
 
-    /// Archimedes' spiral: on a line that turns with the crank, at the distance φ from the pivot. At 90°: the
-    /// acceleration is −φ along the line and Coriolis's 2·1·1 across it.
+    /// Archimedes' spiral: the point of a slide at the distance φ from the pivot, on a line that turns with the crank.
+    /// At 90° its acceleration is −φ along the line and 2·1·1 across it, by Coriolis.
     #[test]
     fn a_slide_on_a_turning_line_has_coriolis_acceleration() {
         let quarter = std::f64::consts::FRAC_PI_2;
@@ -90,7 +90,7 @@ mod tests {
         check(slider(1, DriveLaw::FIRST, 0.0), expected);
     }
 
-    /// On the frame at twice the input less 1, and 3 to the left of the line.
+    /// The coordinate is twice the input less 1, and the point is 3 to the left of the line.
     #[test]
     fn a_slide_on_the_frame_moves_straight() {
         let law = DriveLaw::through(2.0, [0.0, -1.0]);
@@ -101,7 +101,7 @@ mod tests {
         );
     }
 
-    /// Through the coordinate 5 at the input 1, at the rate −2: 1 at the input 3.
+    /// A law with the rate −2 and the coordinate 5 at the input 1 gives the coordinate 1 at the input 3.
     #[test]
     fn the_law_of_a_drive_is_linear() {
         let law = DriveLaw::through(-2.0, [1.0, 5.0]);

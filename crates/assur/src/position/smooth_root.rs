@@ -28,7 +28,8 @@ pub(crate) struct SmoothRoot {
 }
 
 impl SmoothRoot {
-    /// Taylor series of the root at the change point, from the square `at` this point; for inputs close to it.
+    /// Taylor series of the root at the change point, from the square there (`at`). It serves for inputs close to the
+    /// change point.
     pub(crate) fn beside(
         (step, sign): (StepId, f64),
         [input, radius]: [f64; 2],
@@ -116,8 +117,8 @@ fn root_over_u(square: Jet<KNOWN>, radius: f64) -> Jet<KNOWN_AT_CHANGE> {
     Jet::from_coefficients(rest).sqrt()
 }
 
-/// Nodes in u, each repeated once for every coefficient known at it. The change point is first: in Newton's polynomial
-/// the terms of the other nodes then have the factor u⁴, which is small near it.
+/// Nodes in u, each repeated once for every coefficient known at it. The change point is first, so that in Newton's
+/// polynomial the terms of the other nodes have the factor u⁴, which is small near the change point.
 fn node(k: usize) -> f64 {
     if k < KNOWN_AT_CHANGE {
         0.0
@@ -194,7 +195,7 @@ mod tests {
         }
     }
 
-    /// Beside the change point four terms of the series suffice: x(1 + x) has two.
+    /// The series of root/u at the change point has four terms. That of the root x(1 + x) needs only two.
     #[test]
     fn a_series_at_the_change_point_alone() {
         let x = Jet::linear(0.0, 1.0);

@@ -23,7 +23,6 @@ pub(crate) struct State<const N: usize> {
     pub(super) work: Work<N>,
 }
 
-/// Pose of a body.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyPose<const N: usize> {
     pub(crate) origin: Complex<N>,
@@ -65,7 +64,6 @@ pub(crate) enum Angle<const N: usize> {
 /// Nearby pose, used as the guess for a pose.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Nearby<'a> {
-    /// Orientations of the bodies.
     pub(crate) orientations: &'a List<BodyId, Orientation>,
     /// The unknowns of all groups, real and imaginary parts.
     pub(crate) natural: &'a [f64],
@@ -133,7 +131,7 @@ impl<const N: usize> State<N> {
         (self.place(track.line), direction)
     }
 
-    /// Position of the point of a track's link.
+    /// Position of the point of a track.
     pub(crate) fn track_point(&self, track: &Track) -> Vector {
         let body = &self.bodies[track.body];
         body.origin.value() + product(body.turn.value(), track.point)
@@ -158,7 +156,6 @@ impl<const N: usize> State<N> {
         body.origin = at - turn.by(local);
     }
 
-    /// The angle of a body.
     pub(crate) fn angle(&self, body: BodyId) -> Jet<N> {
         let body = &self.bodies[body];
         match body.angle {
@@ -206,7 +203,6 @@ impl<const N: usize> State<N> {
         }
     }
 
-    /// Orientations of all bodies.
     pub(crate) fn orientations(&self) -> List<BodyId, Orientation> {
         self.bodies
             .ids()
@@ -232,7 +228,7 @@ mod tests {
         Vector::new(angle.cos(), angle.sin())
     }
 
-    /// From 170° to the turn of −170°, 20° on: 190°; then back to 170°.
+    /// From 170°, turning to the direction of −170° gives 190°; turning back gives 170°.
     #[test]
     fn an_angle_continues_beyond_half_a_turn() {
         let [from, to] = [170_f64, -170.0].map(f64::to_radians);
@@ -266,7 +262,6 @@ mod tests {
         );
     }
 
-    /// Whole turns of the start are kept: 5 turns and 0°, then 90° back.
     #[test]
     fn whole_turns_of_the_nearby_pose_are_kept() {
         let start = Orientation {

@@ -75,7 +75,7 @@ impl<const N: usize> StepContext<'_, N> {
         }
     }
 
-    /// The signed root near a change point, if the step has one nearby.
+    /// The signed root around a change point near the input; None if the step has no change point there.
     #[inline(always)]
     pub(super) fn smooth_root(&self) -> Option<Jet<N>> {
         let mut smooth_roots = self.near.smooth_roots.iter();
@@ -114,7 +114,7 @@ pub(crate) trait Solvable {
         matches!(self.singularity(), InLine | Perpendicular)
     }
 
-    /// True if a margin that touches zero is a change point: the smooth motion continues with the other sign.
+    /// True if a margin touches zero at change points, where the smooth motion continues with the other sign.
     fn passes_change_point(&self) -> bool {
         self.has_sign()
     }
@@ -166,7 +166,6 @@ pub(super) fn finite(sum: Vector) -> Result<(), Cause> {
     }
 }
 
-/// A step of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Step {
     Crank(Crank),
@@ -198,7 +197,6 @@ macro_rules! ask {
 }
 
 impl Step {
-    /// Places the bodies of the step.
     #[inline(always)]
     pub(crate) fn put<const N: usize>(
         &self,
@@ -208,12 +206,10 @@ impl Step {
         ask!(self, kind => kind.put(state, context))
     }
 
-    /// Bounds the motion of the bodies of the step over a step of the input.
     pub(crate) fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool {
         ask!(self, kind => kind.enclose(step, from, cell))
     }
 
-    /// Bodies that the step places.
     pub(crate) fn bodies(&self) -> Vec<BodyId> {
         ask!(self, kind => kind.bodies().collect())
     }

@@ -129,7 +129,6 @@ mod tests {
         assert_eq!(structure.formula(|link| link), "I(0,1) → III₃(2,3,4,5)");
     }
 
-    /// A passive link has one redundant constraint, and no class.
     #[test]
     fn a_passive_link_is_written_with_its_redundant_constraint() {
         let passive = Group {

@@ -85,7 +85,8 @@ impl Group {
             dyad: None,
             surplus,
         };
-        // For the class: the number of bodies, substitute links of higher pairs included, and the bodies at each joint.
+        // For the class: the number of bodies, with substitute links of higher pairs, and the bodies at each joint.
+        // Outer joints are left out, except those of meshes.
         let mut count = group.bodies.len();
         let mut joints: Vec<Vec<usize>> = vec![];
         // The bodies of the group that meet in a pair, each with its lowest link in that pair.
@@ -99,7 +100,7 @@ impl Group {
             }
             sort(&mut here);
             here.dedup_by_key(|(body, _)| *body);
-            // A pair is inner if none of its links is solved before.
+            // A pair is inner if none of its links is solved before the group.
             let base = depends.base(pair.links());
             let outer = group.body_of(base).is_none();
             if outer {
@@ -192,7 +193,7 @@ impl Group {
 
 /// Divides links into bodies. The pairs and drivers between the links of a body leave them no relative motion.
 fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>> {
-    // Two links can only be locked by at least three constraints among all the links.
+    // Locking two links takes at least three constraints among all the links.
     if constraints_between(graph, drivers, links) < BODY {
         return links.iter().map(|link| vec![*link]).collect();
     }
@@ -207,7 +208,6 @@ fn bodies(graph: &Graph, drivers: &[Driver], links: &[usize]) -> Vec<Vec<usize>>
     bodies
 }
 
-/// Number of constraints between links.
 fn constraints_between(graph: &Graph, drivers: &[Driver], links: &[usize]) -> usize {
     let inside = |link: &&usize| links.contains(link);
     let pairs = graph.pairs.iter().map(|pair| {
@@ -259,8 +259,8 @@ mod tests {
     use super::*;
     use crate::structure::decompose;
 
-    /// Dyad of links 2 and 3 between the crank 1 and the frame 0. `slides`: whether its outer, inner, outer pair
-    /// slides.
+    /// Dyad of links 2 and 3 between the crank 1 and the frame 0. `slides` is true for each pair that slides, in the
+    /// order outer, inner, outer.
     fn dyad(slides: [bool; 3]) -> Group {
         let pairs = [[1, 2], [2, 3], [3, 0]].into_iter().zip(slides);
         let pairs = pairs.map(|(links, slides)| match slides {

@@ -156,7 +156,8 @@ mod tests {
         (graph, driver)
     }
 
-    /// 3·4 − 2·6 = 0: by count it is locked. If it moves the same without the last crank, this crank is passive.
+    /// 3·4 − 2·6 = 0: by count the parallelogram is locked. If it moves the same without the last crank, this crank is
+    /// passive.
     #[test]
     fn a_third_crank_is_passive_if_the_linkage_moves_without_it() {
         let (graph, driver) = parallelogram();

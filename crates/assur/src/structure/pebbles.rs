@@ -26,7 +26,6 @@ pub(super) struct Pebbles {
 /// A link, or the point of a hinge.
 #[derive(Clone, Copy)]
 struct Node {
-    /// Number of free pebbles.
     free: usize,
     /// Number of constraints that the node pays for.
     spent: usize,
@@ -81,10 +80,10 @@ pub(super) struct Surplus {
 }
 
 impl Pebbles {
-    /// Counts the constraints of pairs and drivers, except on links that `keep` excludes, and finds the parts of the
-    /// graph with surplus constraints. No two parts share a constraint, and the order of the pairs does not change the
-    /// parts: they are the connected components of the matroid (any two of its circuits that share an element share two
-    /// nodes, and conversely).
+    /// Counts the constraints of pairs and drivers between links for which `keep` is true, and finds the parts of the
+    /// graph with surplus constraints. These parts are the connected components of the matroid of the constraints: no
+    /// two of them share a constraint, and the order of the pairs does not change them. Circuits of the matroid that
+    /// share two nodes belong to the same component.
     pub(super) fn count(
         graph: &Graph,
         drivers: &[Driver],
@@ -186,7 +185,6 @@ impl Pebbles {
             .map(|(node, _)| node)
     }
 
-    /// Number of free pebbles on the nodes.
     pub(super) fn free_on(&self, nodes: &[usize]) -> usize {
         nodes.iter().map(|&node| self.nodes[node].free).sum()
     }
@@ -293,7 +291,7 @@ mod tests {
         assert_eq!(part.excess, 1);
         assert_eq!(part.nodes, (0..10).collect::<Vec<usize>>());
         assert_eq!(pebbles.free_on(&part.nodes), 3);
-        // One diagonal braces it without a surplus.
+        // One diagonal braces the square without a surplus.
         let braced: [&[usize]; 4] = [&[0, 1, 4], &[1, 2], &[2, 3, 4], &[3, 0]];
         assert!(counted(5, &braced).1.is_empty());
     }

@@ -11,7 +11,8 @@ use crate::mechanism::plan::resolved::{self, Driver, Resolved};
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::willis;
 
-/// Bodies with their points in local coordinates; for the frame these are the coordinates of the drawing.
+/// Bodies with their points in local coordinates. The local coordinates of the frame are those of the drawing, relative
+/// to [`Resolved::origin`].
 #[derive(Clone, Debug)]
 pub(in crate::mechanism) struct Bodies {
     /// The points of each body, in the order of its links.
@@ -29,7 +30,7 @@ pub(in crate::mechanism) struct Gear {
     pub(in crate::mechanism) by_link: resolved::Gear,
     pub(in crate::mechanism) bodies: [BodyId; 2],
     pub(in crate::mechanism) carrier: BodyId,
-    /// True if the equation of this coupling follows from the equations of other couplings.
+    /// True if the equation of this coupling follows from the equations of earlier couplings.
     pub(in crate::mechanism) is_passive: bool,
 }
 
@@ -50,7 +51,7 @@ impl RigidBodies {
     /// Joins the bodies by the specified slides and gear couplings. Returns them with the placements of the links.
     ///
     /// # Errors
-    /// A slide whose point is not on its link, or whose line has two coincident points.
+    /// A slide with a point that is not on its link, or with a line of two coincident points.
     pub(in crate::mechanism) fn joined(
         self,
         spec: &Resolved<'_>,
@@ -118,7 +119,8 @@ impl Bodies {
     /// or, without a second point, along the guide of the link.
     ///
     /// # Errors
-    /// A link with a shape and no two points drawn apart: its orientation is not determined.
+    /// A link of undetermined orientation. Without a shape, its first two points coincide in the drawing; with a shape,
+    /// no two of its points are apart both in the drawing and in the shape.
     fn make(&mut self, spec: &Resolved<'_>, id: LinkId) -> Result<(), Defect> {
         let link = &spec.links[id];
         let origin = spec.places[link.first];
@@ -179,7 +181,6 @@ impl Bodies {
         self.points.ids()
     }
 
-    /// Orientations of all bodies in the drawing.
     pub(in crate::mechanism) fn orientations(&self) -> List<BodyId, Orientation> {
         let drawn = self.ids().map(|body| Orientation {
             angle: self.drawn_angle(body),
@@ -188,7 +189,6 @@ impl Bodies {
         drawn.collect()
     }
 
-    /// The gear couplings that are not passive.
     pub(in crate::mechanism) fn active_gears(
         &self,
     ) -> impl DoubleEndedIterator<Item = &Gear> + Clone {
@@ -208,7 +208,7 @@ impl Bodies {
             .map(|(_, local)| *local)
     }
 
-    /// A point with its position on the first accepted body that has the point.
+    /// Position of a point on the first accepted body that has the point.
     pub(in crate::mechanism) fn anchor_of(
         &self,
         point: PointId,
@@ -287,7 +287,6 @@ impl Bodies {
         self.drawn[body].1
     }
 
-    /// Drawn angle of a body.
     pub(in crate::mechanism) fn drawn_angle(&self, body: BodyId) -> f64 {
         let turn = self.drawn[body].1;
         turn.y.atan2(turn.x)

@@ -60,7 +60,8 @@ impl Layout {
         changed
     }
 
-    /// Position on the first of two links of one body, converted to the coordinates of the second.
+    /// Converts a position on the first of two links of one body to the coordinates of the second. None if a link has
+    /// no shape.
     fn on_other(&self, spec: &LinkageSpec, at: Point, links: [LinkId; 2]) -> Option<Point> {
         let [from, to] = links.map(|link| self.axes(spec, link));
         let ([own, on_body, turn], [other, there, turned]) = (from?, to?);
@@ -138,7 +139,8 @@ impl Resolved<'_> {
 }
 
 impl Doubling {
-    /// Doubling of a base by another body, if two shared points are apart and all are at the same positions on both.
+    /// Doubling of the base by the body. None unless two shared points are apart, and all shared points are at the same
+    /// positions on both bodies.
     fn of(bodies: &Bodies, [body, base]: [BodyId; 2]) -> Option<Self> {
         let is_shared = |(point, _): &&(PointId, Vector)| bodies.local(base, *point).is_some();
         bodies.of(body).iter().filter(is_shared).nth(1)?;

@@ -67,7 +67,6 @@ impl Bodies {
     }
 }
 
-/// The driven slides that are drawn outside their range.
 pub(in crate::mechanism) fn drawn_beyond_range(
     spec: &Resolved<'_>,
     bodies: &Bodies,

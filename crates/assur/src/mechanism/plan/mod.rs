@@ -1,4 +1,4 @@
-//! The plan of a mechanism: the order of solving, and the closed form of each group.
+//! The plan of a mechanism: the steps that place its bodies, in the order of solving.
 
 pub(in crate::mechanism) mod body;
 pub(in crate::mechanism) mod doubled;
@@ -24,7 +24,6 @@ use crate::mechanism::plan::resolved::{Driver, Resolved};
 use crate::mechanism::plan::slide::Slide;
 use crate::mechanism::plan::train::Singular;
 
-/// The plan of a mechanism.
 pub(in crate::mechanism) struct Plan {
     pub(in crate::mechanism) steps: List<StepId, Step>,
     /// The drawn input: the coordinate of the first driver.
@@ -44,7 +43,7 @@ pub(in crate::mechanism) struct Drawn<'a> {
     pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
-/// Bodies placed by the steps so far.
+/// The bodies, and which of them are placed by the steps planned so far.
 pub(in crate::mechanism) struct Placed<'a> {
     pub(in crate::mechanism) bodies: &'a Bodies,
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,
@@ -58,7 +57,7 @@ pub(in crate::mechanism) struct Placed<'a> {
 /// groups with redundant constraints.
 ///
 /// # Errors
-/// A group that no step can solve.
+/// A group that no step can solve, or a train whose numbers of teeth do not determine its angles.
 pub(in crate::mechanism) fn plan(
     spec: &Resolved<'_>,
     bodies: &Bodies,
@@ -161,7 +160,7 @@ pub(in crate::mechanism) fn plan(
     Ok(plan)
 }
 
-/// Hinge between a body and a body already solved.
+/// Hinge between a body to be solved and a body already solved.
 pub(in crate::mechanism) struct Hinge {
     joint: PointId,
     at: BodyPoint,
@@ -191,7 +190,7 @@ impl Placed<'_> {
         }
     }
 
-    /// A point with its position on a solved body that has the point.
+    /// Position of a point on a solved body that has the point.
     fn anchor(&self, point: PointId) -> Option<BodyPoint> {
         self.bodies.anchor_of(point, |body| self.solved[body])
     }

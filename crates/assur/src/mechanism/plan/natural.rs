@@ -16,7 +16,8 @@ use crate::mechanism::plan::body::Bodies;
 use crate::mechanism::plan::driver::DrivenPair;
 use condition::Condition;
 
-/// Plan of a group and the drawn values of its unknowns; None if the group has fewer equations than unknowns.
+/// Group to be solved by Newton's method, and the drawn values of its unknowns. None if the group has fewer equations
+/// than unknowns.
 pub(in crate::mechanism) fn group(
     placed: &Placed<'_>,
     members: &[BodyId],
@@ -116,7 +117,6 @@ struct Plan<'a> {
     units: Vec<f64>,
     /// Bodies whose turn follows from two points close together, each with the first point's position on the body.
     close: BTreeMap<BodyId, Vector>,
-    /// The size of the group.
     size: f64,
 }
 
@@ -174,7 +174,7 @@ impl Plan<'_> {
                 slide,
                 other,
             }),
-            // Of pairs of points equally far apart, the first is taken.
+            // The two points farthest apart are taken; of equally distant pairs, the first.
             None => {
                 let pairs = known.iter().enumerate();
                 let pairs = pairs.flat_map(|(k, a)| known[k + 1..].iter().map(move |b| [*a, *b]));
@@ -186,7 +186,8 @@ impl Plan<'_> {
                         best
                     }
                 });
-                // Two points close together do not determine a distant point accurately: it must become known first.
+                // Two points close together do not determine a distant point accurately: the distant point must become
+                // known first.
                 let longest =
                     longest.filter(|pair| length(pair) >= CLOSE * self.reach(body, first.1));
                 longest.map(Follows::Points)
@@ -215,7 +216,7 @@ impl Plan<'_> {
         places.fold(0.0, |most, at| most.max((at - from).norm()))
     }
 
-    /// True if a position on a body is far enough from every known point for the two to determine the whole body.
+    /// True if a position on a body, together with any known point of the body, determines the whole body accurately.
     fn is_far(&self, body: BodyId, at: Vector) -> bool {
         let mut known = self.bodies.of(body).iter();
         known.all(|(point, other)| {
@@ -295,8 +296,8 @@ impl Plan<'_> {
         }
     }
 
-    /// Sets the linear forms of a body and of its points, except those in `used`. If a point already has a form, both
-    /// forms must be equal, which is a condition.
+    /// Sets the linear forms of a body and of its points, except those in `used`. If a point already has a form, a
+    /// condition makes both forms equal.
     fn settle(&mut self, body: BodyId, [origin, turn]: [Form; 2], used: &[PointId]) {
         for (point, local) in self.bodies.of(body) {
             let at = origin.plus(&turn.by(*local));

@@ -9,15 +9,15 @@ use crate::mechanism::plan::doubled::DoubledLink;
 use crate::mechanism::readout::constraint::LinkOrFrame;
 use crate::{Point, Vector};
 
-/// Specification with indices in place of names.
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving, relative to that of the drawing. A coordinate of the first fixed
-    /// point is taken if it is large compared with the drawing, since large coordinates lose digits; otherwise 0.
-    /// Subtracting it is exact (Sterbenz's lemma), so a direction given by two points close together is not changed.
+    /// Origin of the coordinates used while solving, in the coordinates of the drawing. Each of its coordinates is that
+    /// of the first fixed point if this exceeds twice the size of the drawing, since large coordinates lose digits;
+    /// otherwise 0. Subtracting it is exact (Sterbenz's lemma), so a direction given by two points close together is
+    /// not changed.
     pub(in crate::mechanism) origin: Vector,
-    /// Drawn positions of the points.
+    /// Drawn positions of the points, relative to `origin`.
     pub(in crate::mechanism) places: List<PointId, Vector>,
     pub(in crate::mechanism) frame: Vec<PointId>,
     pub(in crate::mechanism) links: List<LinkId, Link>,
@@ -87,7 +87,7 @@ impl<'a> Resolved<'a> {
     /// Resolves the names of a specification. Returns also its rigid bodies, with doubled links merged.
     ///
     /// # Errors
-    /// The first unknown name or similar defect.
+    /// The first defect found, such as an unknown name.
     pub(in crate::mechanism) fn new(spec: &'a LinkageSpec) -> Result<(Self, RigidBodies), Defect> {
         let names = Names(spec);
         let mut bodies: List<BodyId, LinkOrFrame> = vec![None].into();
@@ -169,7 +169,6 @@ impl<'a> Resolved<'a> {
         }
     }
 
-    /// The body of a link, or of the frame.
     pub(in crate::mechanism) fn body(&self, link: LinkOrFrame) -> BodyId {
         link.map_or(BodyId::FRAME, |link| self.links[link].body)
     }
@@ -186,7 +185,6 @@ impl<'a> Resolved<'a> {
         self.link_name(self.bodies[body])
     }
 
-    /// Defect of two coincident points of a link.
     pub(in crate::mechanism) fn coincident(
         &self,
         link: LinkOrFrame,
@@ -222,7 +220,6 @@ fn body(
     None
 }
 
-/// Look-up of the names of a specification.
 struct Names<'a>(&'a LinkageSpec);
 
 impl Names<'_> {

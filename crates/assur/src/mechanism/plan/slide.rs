@@ -91,17 +91,14 @@ impl Slide {
         }
     }
 
-    /// Sliding point, in the coordinates of the sliding body.
     pub(in crate::mechanism) fn point(&self) -> Vector {
         self.point
     }
 
-    /// Drawn coordinate of the sliding point along the line.
     pub(in crate::mechanism) fn drawn_way(&self) -> f64 {
         self.way
     }
 
-    /// Distance of the sliding point from the line, positive to the left.
     pub(in crate::mechanism) fn offset(&self) -> f64 {
         self.off
     }
@@ -111,7 +108,6 @@ impl Slide {
         self.off = off;
     }
 
-    /// Distance between the two points that define the line.
     pub(in crate::mechanism) fn line_length(&self) -> f64 {
         self.length
     }

@@ -19,7 +19,7 @@ pub(in crate::mechanism) struct Redundancy {
 /// Drivers and Assur groups of the bodies, and the data of surplus constraints if there are any.
 ///
 /// # Errors
-/// All defects found by counting pairs.
+/// The defects found by counting pairs.
 pub(in crate::mechanism) fn structured(
     spec: &Resolved<'_>,
     bodies: &Bodies,

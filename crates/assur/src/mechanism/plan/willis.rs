@@ -27,12 +27,10 @@ impl Equation {
         equation
     }
 
-    /// The bodies of the equation, with the coefficients of their angles.
     pub(in crate::mechanism) fn terms(&self) -> impl Iterator<Item = (BodyId, i128)> {
         self.0.iter().copied()
     }
 
-    /// The coefficient of a body's angle.
     fn factor(&self, body: BodyId) -> Option<i128> {
         let found = self.0.binary_search_by_key(&body, |(body, _)| *body);
         found.ok().map(|at| self.0[at].1)
@@ -132,7 +130,7 @@ pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
     let mut solved = Solved::default();
     for gear in gears {
         let adds = solved.add(&Equation::of(gear), |_| true);
-        // A body in mesh with itself is no coupling, so it is not a passive one.
+        // A body in mesh with itself is a defect, not a passive coupling.
         gear.is_passive = gear.bodies[0] != gear.bodies[1] && adds == Some(Adds::Nothing);
     }
 }

@@ -88,7 +88,6 @@ impl Mechanism {
         lengths.sum()
     }
 
-    /// Distance between two points of a link.
     pub(in crate::mechanism) fn length_between(&self, link: LinkId, points: [PointId; 2]) -> f64 {
         let body = self.body_of(Some(link));
         let [from, to] = points.map(|point| self.layout.bodies.local(body, point));
@@ -120,7 +119,6 @@ impl Mechanism {
         })
     }
 
-    /// The outer hinge of an arm.
     pub(in crate::mechanism) fn outer_joint(&self, arm: &Arm) -> OuterJoint {
         OuterJoint {
             point: arm.joints[0],
@@ -161,7 +159,7 @@ impl Mechanism {
     }
 }
 
-/// The arms of a step that is an RRR dyad.
+/// The arms of a step that is an RRR dyad; None for any other step.
 pub(crate) fn arms_of(step: &Step) -> Option<&[Arm; 2]> {
     match step {
         Step::Rrr(dyad) => Some(&dyad.arms),

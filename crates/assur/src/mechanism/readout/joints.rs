@@ -102,6 +102,7 @@ impl Mechanism {
     }
 
     /// Unit vector from one point of a body to another in a pose, accurate to all digits even if the points are close.
+    /// None if they coincide, or if the body lacks one of them.
     pub(crate) fn heading<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -115,7 +116,7 @@ impl Mechanism {
         Some(heading).filter(|heading| heading.norm_squared().is_finite())
     }
 
-    /// Direction on a body in a pose, in the coordinates of the frame.
+    /// Converts a direction on a body to the coordinates of the frame, in a pose.
     pub(crate) fn turned<const N: usize>(
         &self,
         pose: &Pose<N>,

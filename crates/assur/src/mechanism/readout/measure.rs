@@ -54,12 +54,10 @@ impl Mechanism {
         (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
     }
 
-    /// Two points given by their names with a hyphen in between.
     pub(in crate::mechanism) fn two_points(&self, names: &str) -> Option<[PointId; 2]> {
         two(names, |name| self.point(name))
     }
 
-    /// Two links given by their names with a hyphen in between.
     pub(in crate::mechanism) fn two_links(&self, names: &str) -> Option<[LinkId; 2]> {
         two(names, |name| self.link(name))
     }
@@ -84,12 +82,11 @@ fn two<T: PartialEq>(names: &str, named: impl Fn(&str) -> Option<T>) -> Option<[
     })
 }
 
-/// The length of a vector.
 fn span<const N: usize>([x, y]: [Jet<N>; 2]) -> f64 {
     x.value().hypot(y.value())
 }
 
-/// Length of a vector with its derivatives, if the vector is not zero.
+/// Length, with its derivatives, of a vector that is not zero.
 fn norm<const N: usize>([x, y]: [Jet<N>; 2]) -> Jet<N> {
     (x.square() + y.square()).sqrt()
 }

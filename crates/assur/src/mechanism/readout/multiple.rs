@@ -9,16 +9,16 @@ use crate::position::{Mounting, Step};
 pub struct Multiple {
     /// Link whose angle is the argument.
     pub of: LinkId,
-    /// Factor of the angle of the link.
+    /// Factor by which this angle is multiplied.
     pub factor: f64,
     /// Angle added to the product, radians.
     pub offset: f64,
 }
 
 impl Mechanism {
-    /// Angle of a link as a linear function of another link's angle, at all inputs. For a link fixed to
-    /// another, the argument is the other's angle; for a wheel or carrier that only one link turns, it is that link's.
-    /// For any other link, it is the link's own angle.
+    /// Angle of a link as a linear function of the angle of one link, the same at all inputs. The argument is the angle
+    /// of the base for a link fixed to another link, and that of the driving link for a wheel or carrier that only one
+    /// link turns. For any other link it is the link's own angle.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         self.layout.multiple_of(link, self.mounting())
     }

@@ -27,7 +27,8 @@ pub enum Quantity {
     Y(PointId),
     /// Transmission angle of an RRR dyad: the acute angle between the lines of its two links, radians.
     Transmission(RrrDyad),
-    /// Pressure angle of an RRP dyad: the acute angle between rod and line, radians; 90° less the transmission angle.
+    /// Pressure angle of an RRP dyad: the acute angle between its rod and the line of its slide, radians; 90° less the
+    /// transmission angle.
     Pressure(RrpDyad),
     /// The distance between two points, in the unit of length.
     Distance([PointId; 2]),
@@ -117,8 +118,8 @@ impl Quantity {
         matches!(self, Self::Distance(_) | Self::Corner(_) | Self::Between(_))
     }
 
-    /// True for an undirected angle: the acute angle between two lines, or the angle at a corner. It is folded where
-    /// its sides are in line or, for lines, at right angles. There its rate jumps, which is not counted as an extremum.
+    /// True for an undirected angle: the acute angle between two lines (0 to 90°) or the angle at a corner (0 to 180°).
+    /// It has a kink where it reaches an end of this range at a nonzero rate. A kink is not counted as an extremum.
     pub fn is_folded(self) -> bool {
         matches!(
             self,
@@ -136,8 +137,8 @@ impl Quantity {
         }
     }
 
-    /// Maximum of the folded angle, in quarter turns: 2 for a corner, folded at every half turn; 1 for the angle
-    /// between two lines, folded at every quarter turn.
+    /// Maximum of the folded angle in quarter turns: 2 for a corner, which is folded at every half turn; 1 for the
+    /// angle between two lines, which is folded at every quarter turn.
     fn folds(self) -> f64 {
         if matches!(self, Self::Corner(_)) {
             2.0

@@ -88,7 +88,6 @@ impl Mechanism {
         )
     }
 
-    /// The length of the rod of a dyad.
     pub(crate) fn rod_of(&self, dyad: &RrpDyad) -> f64 {
         self.length_between(dyad.rod, [dyad.inner, dyad.outer.point])
     }
@@ -158,8 +157,8 @@ mod tests {
         }
     }
 
-    /// From 0 to 90° the acute angle grows with the directed angle, from 90° to 180° it falls. At the folds the rate
-    /// decides.
+    /// From 0 to 90° the acute angle grows with the directed angle; from 90° to 180° it falls. At a fold its rate is
+    /// that just after the fold.
     #[test]
     fn the_acute_angle_is_folded_at_right_angles_and_in_line() {
         for (directed, rate, expected) in [
@@ -179,7 +178,7 @@ mod tests {
         }
     }
 
-    /// Crank 3 and rod 5: sin α = 3/5 |sin φ|. At 90° it is greatest; at 0° the rod is along the slide, and α′ = 3/5.
+    /// Crank 3 and rod 5: sin α = 3/5 |sin φ|. At 90° α is greatest; at 0° the rod is along the slide, and α′ = 3/5.
     #[test]
     fn the_pressure_angle_of_a_slider_crank() {
         let spec = slider_crank([[0.0, 3.0], [4.0, 0.0]]);

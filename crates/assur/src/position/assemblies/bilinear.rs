@@ -95,7 +95,7 @@ impl<F, W: Copy> Bilinear<F, W> {
 pub(super) type VaryingBilinear = Bilinear<Varying, [f64; 2]>;
 
 impl VaryingBilinear {
-    /// The equation, and the same equation for the derivatives of its forms.
+    /// The equation, and the derivatives of its forms in an equation of the same kind.
     fn parts(self) -> [Bilinear; 2] {
         match self {
             Self::Unit([one, rate]) => [one, rate].map(Bilinear::Unit),
@@ -236,8 +236,8 @@ pub(super) struct System {
 }
 
 impl System {
-    /// System after elimination of the unknowns that follow from `zeros`, forms equal to zero. None if these forms are
-    /// dependent, or if the numbers of equations and of unknowns differ.
+    /// System after elimination of the unknowns that follow from `zeros`, which are forms equal to zero. None if these
+    /// forms are dependent, or if the numbers of equations and of unknowns differ.
     pub(super) fn new(
         unknowns: usize,
         equations: Vec<VaryingBilinear>,
@@ -317,7 +317,6 @@ impl System {
         part(0).chain(part(1))
     }
 
-    /// Number of the group's unknowns.
     pub(super) fn own_unknowns(&self) -> usize {
         self.own.len()
     }

@@ -135,7 +135,8 @@ mod tests {
         workspace.step().map(<[C]>::to_vec)
     }
 
-    /// y = 3 and 2x = 4, which needs a pivot; then ix + y = 1 + i and x + iy = 1 + i, with the solution (1, 1).
+    /// y = 3 and 2x = 4, which needs an exchange of rows; then ix + y = 1 + i and x + iy = 1 + i, with the solution (1,
+    /// 1).
     #[test]
     fn two_complex_equations() {
         let i = C::new(0.0, 1.0);

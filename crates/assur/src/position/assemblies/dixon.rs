@@ -47,7 +47,8 @@ struct Loops {
 }
 
 /// Approximate unknowns and conjugates of all solutions, with one solution of each conjugate pair. Newton's method does
-/// not converge from spurious candidates. None if the group has pairs other than hinges.
+/// not converge from spurious candidates. None if the group has pairs other than hinges, or if its determinant is
+/// degenerate.
 pub(super) fn candidates(system: &System, hidden: usize) -> Option<Vec<Vec<C>>> {
     let forms: Option<Vec<&Affine>> = system.equations.iter().map(unit).collect();
     let mut forms = forms?;
@@ -151,7 +152,8 @@ struct Pencil {
     rho: C,
     constant: DMatrix<f64>,
     linear: DMatrix<f64>,
-    /// The remaining columns; `eliminated` has the other columns in the order of elimination, each with its row.
+    /// The columns that remain after elimination. `eliminated` has the other columns in the order of elimination, each
+    /// with its row.
     kept: Vec<usize>,
     eliminated: Vec<(usize, Vec<f64>)>,
 }

@@ -15,7 +15,7 @@ const AGREEING_DIRECTIONS: usize = 2;
 
 impl System {
     /// Estimated time to solve, in microseconds. For m unknowns there are n = C(2m, m) solutions. Dixon's determinant
-    /// takes about n³/20 for each hidden direction, and each of n paths takes more than half a millisecond.
+    /// takes about n³/20 for each hidden direction, and each of n homotopy paths takes about 800.
     pub(super) fn work(&self, method: Method) -> usize {
         let solutions =
             (1..=self.unknowns).fold(1, |n: usize, k| n.saturating_mul(self.unknowns + k) / k);
@@ -74,8 +74,8 @@ impl System {
         }))
     }
 
-    /// Adds the solutions found by Dixon's determinant of the loops. Returns the number of hidden directions tried: 0
-    /// if the group has pairs other than hinges.
+    /// Adds the solutions found by Dixon's determinant of the loops. Returns the number of hidden directions for which
+    /// the determinant gave candidates: 0 if the group has pairs other than hinges.
     ///
     /// With one hidden direction, solutions may be lost to rounding, or because they share the value of this direction.
     /// Further directions are hidden until the number of solutions is that for general dimensions, which is known for

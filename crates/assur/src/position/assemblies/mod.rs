@@ -1,8 +1,8 @@
 //! All assemblies of an Assur group with solved inputs: by Dixon's determinant for hinges alone, by homotopy otherwise.
 //!
-//! The list of solutions counts as complete if their number is that for general dimensions: 2, 6, or 14 to 20 for one,
-//! two or three unknowns. For more unknowns it counts as complete if two hidden directions agree. This is a check, not
-//! a proof (`enumeration`). From one input to the next the solutions are tracked (`tracking`).
+//! The list of solutions counts as complete if their number is that for general dimensions: 2 for one unknown, 6 for
+//! two, and 14, 16, 18 or 20 for three. For more unknowns it counts as complete if two hidden directions agree. This is
+//! a check, not a proof (`enumeration`). From one input to the next the solutions are tracked (`tracking`).
 
 mod bilinear;
 mod complex_newton;
@@ -28,19 +28,15 @@ pub enum Method {
     Paths,
 }
 
-/// An assembly of a group.
 #[derive(Clone, Debug)]
 pub(crate) struct GroupAssembly {
-    /// Unknowns of the group in this assembly.
     pub(crate) unknowns: Vec<Vector>,
     /// Rotations, as unit vectors, of bodies with a driven angle between them, which is known except for whole turns.
     pub(crate) turns: Vec<(BodyId, Vector)>,
 }
 
-/// All assemblies of a group.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GroupAssemblies {
-    /// The real assemblies.
     pub(crate) real: Vec<GroupAssembly>,
     /// True if the assemblies need no Newton steps: they were tracked, and no derivatives are wanted.
     pub(crate) solved: bool,
@@ -69,7 +65,7 @@ impl Group {
                 .all(|constraint| constraint.drive.is_some())
     }
 
-    /// Drive laws and ranges of the pairs driven within the group.
+    /// Drive laws and ranges of the slides driven within the group.
     pub(crate) fn ranges(&self) -> impl Iterator<Item = (DriveLaw, [f64; 2])> {
         let drives = self
             .angle_constraints
@@ -79,7 +75,8 @@ impl Group {
     }
 
     /// All assemblies of the group with solved inputs, tracked from the last assemblies if possible. None if the
-    /// equations are not algebraic, or if the work exceeds `budget`. Otherwise the work is subtracted from `budget`.
+    /// equations are not algebraic, or if the work of a new search exceeds `budget`. The work of a new search is
+    /// subtracted from `budget`.
     ///
     /// # Errors
     /// A driven coordinate is out of its range.
@@ -143,8 +140,8 @@ impl Group {
         Ok(Some(assemblies))
     }
 
-    /// The last system with the constants for the present inputs in place of its own. None if more than constants
-    /// differs.
+    /// The last system with its constants replaced by those for the present inputs. None if derivatives are wanted, or
+    /// if the present system may differ in more than constants.
     fn refreshed<const N: usize>(&self, mut system: System, state: &State<N>) -> Option<System> {
         let sources = system.sources.as_ref().filter(|_| N == 1)?;
         let value = |form: usize| number(state.work.values[form][0]);

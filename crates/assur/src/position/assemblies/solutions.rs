@@ -18,7 +18,6 @@ pub(super) struct Solutions {
 }
 
 impl Solutions {
-    /// True if no two solutions coincide.
     pub(super) fn are_distinct(&self) -> bool {
         let (mut real, mut complex_pairs) =
             (self.real().enumerate(), self.complex_pairs().enumerate());

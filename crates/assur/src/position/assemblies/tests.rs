@@ -44,7 +44,7 @@ fn all(system: &System, candidates: Vec<Vec<C>>) -> Vec<Vec<C>> {
     found
 }
 
-/// Directions of general position have the maximum number of solutions, C(2m, m).
+/// Directions in general position have the maximum number of solutions, C(2m, m).
 #[test]
 fn every_solution_of_general_directions() {
     for (unknowns, count) in [(1, 2), (2, 6), (3, 20), (4, 70)] {

@@ -54,7 +54,8 @@ impl Group {
         Some(solutions)
     }
 
-    /// Parameters of the group's equations: the known values in its forms, and the coordinates of driven pairs.
+    /// Values on which the group's equations depend: each form without its unknowns, and the known part of each driven
+    /// pair's equation (the angles of solved bodies less the constant and the driven coordinate).
     pub(super) fn parameters<const N: usize>(&self, state: &State<N>) -> Vec<Vector> {
         let known = state.work.known_values.iter().copied();
         let driven = state.work.known_angles.iter();
@@ -63,7 +64,8 @@ impl Group {
     }
 
     /// Tracks all assemblies from their extrapolations; None if some are lost or do not stay distinct. The flag is
-    /// false if a pair was found again from its mean, as when a real pair becomes complex or a complex pair real.
+    /// false if a pair was lost and then found again from its mean: a real pair may become complex, and a complex pair
+    /// real.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,
@@ -178,7 +180,7 @@ impl Group {
     }
 
     /// Refines a real assembly in place by Newton's method. `at` holds the unknowns as multiples of their units. None
-    /// if the method diverges.
+    /// without convergence.
     fn polish_real<const N: usize>(
         &self,
         at: &mut [C],

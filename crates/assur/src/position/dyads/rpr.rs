@@ -8,7 +8,8 @@ use crate::position::{
 };
 use crate::{Jet, Vector};
 
-/// Links i and j are hinged at B and D (the slotted lever and the block of an inverted slider-crank).
+/// Links i and j are hinged at B and D and slide on each other (the slotted lever and the block of an inverted
+/// slider-crank).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Rpr {
     pub(crate) sides: [Side; 2],
@@ -54,7 +55,8 @@ impl Solvable for Rpr {
         })?;
         let along = Complex::new(run, Jet::constant(-apart));
         let mut direction = (between * along).over(square);
-        // If d is perpendicular to u, the derivatives are those of a smooth root.
+        // If d is nearly perpendicular to u, the condition u × d = h hardly determines the derivatives of u, so those
+        // from the root are kept.
         let is_across = run.value().powi(2) < CLOSE_SQUARED * square.value();
         if square.value() < CLOSE_SQUARED * state.scale && !is_across {
             // If d is short, the closed form would lose digits in the derivatives. They are computed instead from

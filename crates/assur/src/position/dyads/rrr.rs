@@ -77,8 +77,8 @@ impl<const N: usize> Triangle<N> {
         state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
     }
 
-    /// Vector of an arm between its hinges. If the other arm is much longer, only the direction of `along` is exact; it
-    /// is then scaled to the length of the arm.
+    /// Vector of an arm between its hinges. If the other arm is much longer, only the direction of `along` is exact,
+    /// and `along` is scaled to the length of the arm.
     #[inline(always)]
     fn leg(&self, arm: &Arm, along: Complex<N>) -> Complex<N> {
         if arm.length() < CLOSE * self.sum {

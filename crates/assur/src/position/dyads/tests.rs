@@ -27,7 +27,7 @@ fn arm(body: usize, outer: BodyPoint, length: f64) -> Arm {
     )
 }
 
-/// A side with its hinge and its line through the origin of the body.
+/// A side with its hinge at the origin of the body, and with the x-axis of the body as its line.
 fn side(body: usize, outer: BodyPoint) -> Side {
     Side::new(
         BodyId::at(body),
@@ -37,7 +37,7 @@ fn side(body: usize, outer: BodyPoint) -> Side {
     )
 }
 
-/// The origin of a body on a line.
+/// A track on which the origin of a body slides: a line in the x-direction of the other body.
 pub(in crate::position) fn track(body: usize, line: BodyPoint) -> Track {
     Track {
         body: BodyId::at(body),
@@ -124,8 +124,9 @@ fn places_and_derivatives() {
     }
 }
 
-/// B at (0, 1) and D at (5, 1) are 5 apart: arms of 1 and 3 are 1 too short, of 1 and 7 differ by 1 too much, and of 2
-/// and 3 are stretched. From (0, 3) a rod of 2 is 1 too short to reach the x-axis, and one of 3 just reaches it.
+/// B at (0, 1) and D at (5, 1) are 5 apart. Arms of 1 and 3 together are 1 too short, arms of 1 and 7 differ by 1 too
+/// much, and arms of 2 and 3 are in line. From (0, 3) a rod of 2 is 1 too short to reach the x-axis, and a rod of 3
+/// just reaches it.
 #[test]
 fn dyads_out_of_reach_and_at_dead_points() {
     let rrr = |lengths: [f64; 2], d: [f64; 2]| {

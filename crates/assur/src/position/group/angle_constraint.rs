@@ -43,7 +43,7 @@ impl Drive {
     }
 }
 
-/// The known part of an angle constraint while its group is solved.
+/// The known part of an angle constraint.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::position) struct KnownAngle<const N: usize> {
     /// Σ nᵢθᵢ over the solved bodies, less the constant and the driven coordinate; for a driven slide, a length.
@@ -62,6 +62,8 @@ impl<const N: usize> KnownAngle<N> {
 }
 
 impl AngleConstraint {
+    /// Evaluates the known part of the constraint.
+    ///
     /// # Errors
     /// A driven coordinate is out of its range.
     pub(in crate::position) fn known_angle<const N: usize>(
@@ -92,7 +94,8 @@ impl AngleConstraint {
         });
         if let Some(drive) = &self.drive {
             angle = angle - drive.at(input)?;
-            // The driven angle is known except for whole turns: the value nearest to the nearby pose is taken.
+            // A driven angle is known except for whole turns. The value nearest to the angle in the nearby pose is
+            // taken.
             if let [link, base] = self.turning[..] {
                 let [link, base] = [link, base].map(|body| near.orientations[body].angle);
                 angle = angle + -crate::angle::whole_turns(link - base + angle.value());

@@ -53,7 +53,7 @@ pub(crate) struct Elimination {
 
 /// Minimum size of a pivot relative to the largest entry in its column, when the elimination is planned.
 const MIN_PLANNED_PIVOT: f64 = 0.25;
-/// Minimum size of a pivot relative to its column, when the plan is used: rounding errors grow at most 100-fold.
+/// Minimum size of a pivot relative to each entry below it, when a plan is used: the multipliers are at most 100.
 const MIN_PIVOT: f64 = 1e-2;
 
 impl Elimination {
@@ -174,7 +174,6 @@ impl Elimination {
         best.map(|(pivot, ..)| pivot)
     }
 
-    /// True if the elimination is planned.
     pub(crate) fn is_planned(&self) -> bool {
         !self.pivots.is_empty()
     }
@@ -184,7 +183,6 @@ impl Elimination {
         self.rows.contains(&row)
     }
 
-    /// Exponent of the power of two that scales the determinants.
     pub(crate) fn exponent(&self) -> i32 {
         self.exponent
     }
@@ -229,7 +227,7 @@ impl Elimination {
         Some(value)
     }
 
-    /// Solves a linear system with an eliminated matrix for several right-hand sides at once, in place.
+    /// Solves a linear system with an eliminated matrix for several right-hand sides at once, and overwrites these.
     pub(crate) fn solve<const L: usize>(
         &self,
         matrix: &[f64],
@@ -385,7 +383,7 @@ mod tests {
         given[0] = f64::NAN;
         assert_eq!(elimination.plan(&PATTERN, &mut given), None);
         elimination.plan(&PATTERN, &mut matrix(0.0)).unwrap();
-        // Another order is needed if the planned pivots vanish.
+        // Another order is needed if the planned pivots are too small.
         let unsuited: [f64; 16] = std::array::from_fn(|k| {
             let pivot = elimination.pivots.iter().any(|pivot| pivot.at == k);
             if pivot { 1e-9 } else { matrix(0.0)[k] }

@@ -60,7 +60,7 @@ pub(in crate::position) const MAX_FORMS: usize = 3;
 /// An equation between forms, which are given by their indices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Equation {
-    /// |form|² = 1.
+    /// |form|² = 1. The residual is (|form|² − 1)/2.
     Unit(usize),
     /// The real part of a form is 0.
     Real(usize),
@@ -82,7 +82,6 @@ pub(crate) enum Equation {
 }
 
 impl Equation {
-    /// The forms in the equation.
     pub(in crate::position) fn forms(&self) -> impl Iterator<Item = usize> + use<> {
         let forms = match *self {
             Self::Unit(form) | Self::Real(form) | Self::Imaginary(form) => [Some(form), None, None],
@@ -219,8 +218,8 @@ mod tests {
         known
     }
 
-    /// Half of |v|² − 1; v·v′; the real and the imaginary part; 0.6·4 − 0.8·3 = 0, as the vector is along the axis;
-    /// 0.6·3 + 0.8·4 = 5 less the driven coordinate.
+    /// The residual of Unit is (|v|² − 1)/2, with the rate v·v′. Line: 0.6·4 − 0.8·3 = 0, because the vector is along
+    /// the axis. Along: 0.6·3 + 0.8·4 = 5 less the driven coordinate.
     #[test]
     fn residuals_and_rates_of_each_kind() {
         let along = Equation::Along {
@@ -235,7 +234,7 @@ mod tests {
             (Equation::Imaginary(1), 4.0, 0.0),
             // u × v′ + u′ × v = −0.8·5 + (−0.8·4 − 0.6·3).
             (Equation::Line { axis: 0, vector: 1 }, 0.0, -9.0),
-            // u·v′ + u′·v = 0.6·5 + 0, and 1 of the coordinate.
+            // u·v′ + u′·v = 0.6·5 + 0, and 1 from the driven coordinate.
             (along, 5.0 - 2.0, 4.0),
         ] {
             let known = [known(-2.0)];
@@ -281,7 +280,7 @@ mod tests {
         }
     }
 
-    /// 2θ with θ = 90° and θ′ = 1, and a known angle of −π with the rate 1: 0 with the rate 3.
+    /// The sum of 2θ (θ = 90°, θ′ = 1) and a known angle of −π with the rate 1 is 0, and its rate is 3.
     #[test]
     fn a_mesh_adds_angles_times_factors() {
         let turn = Complex::turn(Jet::<2>::linear(std::f64::consts::FRAC_PI_2, 1.0));

@@ -143,7 +143,7 @@ impl Group {
         }
     }
 
-    /// Computes the unknowns' Taylor coefficients of one order, in which the equations are linear, from lower orders.
+    /// Computes the Taylor coefficients of one order of the unknowns from those of lower orders, by linear equations.
     pub(super) fn differentiate<const N: usize>(&self, work: &mut Work<N>, order: usize) {
         // The first order has already been solved, together with the last correction of the values.
         if order == 1 {

@@ -1,9 +1,9 @@
 //! An Assur group of any class, by Newton's method in natural coordinates.
 //!
 //! The unknowns are positions of joints and directions of links as complex numbers. Links are rigid, so every other
-//! position is a linear form of the unknowns with constant complex coefficients (class4 paper, (3)–(5)). The equations
-//! are quadratic, and for gear meshes linear in angles. Derivatives follow order by order from the Jacobian at the
-//! solution: J x⁽ᵏ⁾ = −(residual of the lower orders).
+//! position is a linear form of the unknowns with constant complex coefficients (Class IV paper in `docs/papers.md`,
+//! (3)–(5)). The equations are quadratic, and for gear meshes linear in angles. Derivatives follow order by order from
+//! the Jacobian at the solution: J x⁽ᵏ⁾ = −(residual of the lower orders).
 
 mod angle_constraint;
 mod certified;
@@ -72,7 +72,7 @@ pub(crate) struct Group {
     pub(in crate::position) units: Vec<f64>,
     /// Bound on the change of each form when no unknown changes by more than its unit.
     pub(in crate::position) sensitivities: Vec<f64>,
-    /// Factor that turns the residual of each equation into a length; 0 for angles.
+    /// Factor that turns the residual of each equation into a length; 0 for an equation between angles or directions.
     pub(in crate::position) lengths: Vec<f64>,
     /// The body that each equation constrains.
     pub(in crate::position) constrained: Vec<BodyId>,
@@ -103,8 +103,9 @@ struct Entry {
 }
 
 impl Group {
-    /// Makes a group from equations, each with its length and the body that it constrains. The forms that occur in
-    /// equations must come first. None if there are fewer equations than real unknowns; if more, some are redundant.
+    /// Makes a group from equations, each with its entry in `lengths` and the body that it constrains. The forms that
+    /// occur in equations must come first. None if there are fewer equations than real unknowns; if there are more,
+    /// some are redundant.
     pub(crate) fn new(
         first_unknown: usize,
         units: Vec<f64>,
@@ -267,7 +268,6 @@ impl Group {
         self.elimination.exponent()
     }
 
-    /// Writes the solution into `state`.
     fn write_solution<const N: usize>(
         &self,
         state: &mut State<N>,

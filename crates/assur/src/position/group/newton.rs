@@ -61,7 +61,8 @@ impl Group {
             *residual = [equation.residual(&work.values, &work.known_angles), rate];
         }
         let determinant = self.factorize(work).ok_or(Cause::DeadPoint)?;
-        // The sign means nothing, because pivoting may leave out other redundant equations in another pose.
+        // A redundant group's determinant has an arbitrary sign, because pivoting may leave out other equations in
+        // another pose.
         let determinant = if self.is_redundant() {
             determinant.abs()
         } else {
@@ -171,7 +172,7 @@ impl Group {
         sizes.iter().fold(0.0, |most, size| f64::max(most, *size))
     }
 
-    /// Residuals of the equations as lengths; the residual of an angle is multiplied by the size of the group.
+    /// Residuals of the equations as lengths. Those of angles and directions are multiplied by the size of the group.
     fn residuals<const N: usize>(&self, work: &Work<N>) -> impl Iterator<Item = f64> {
         let size = self.size();
         let equations = self.equations.iter().zip(&self.lengths);
@@ -180,7 +181,8 @@ impl Group {
         })
     }
 
-    /// Largest closure error in the nearby pose: the largest residual as a length, angles left out.
+    /// Largest closure error in the nearby pose: the largest residual as a length, without those of angles and
+    /// directions.
     fn closure_error<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) -> f64 {
         self.guess(work, near);
         self.evaluate_forms(work);

@@ -22,7 +22,8 @@ pub(in crate::mechanism) enum Condition {
         way: Form,
         mesh: usize,
     },
-    /// Weighted sum of angles: the turn of each body with the weight of its angle; index of the angle constraint.
+    /// Weighted sum of angles: the turn of each body with the weight of its angle, and the index of the angle
+    /// constraint.
     AngleConstraint(Vec<(Form, f64)>, usize),
     /// Vector `way` parallel to a direction. `length` is 1 if `way` joins two points, so that the residual is a length,
     /// and 0 if `way` is itself a direction.
@@ -111,7 +112,7 @@ impl Plan<'_> {
         });
     }
 
-    /// Adds the condition of a driven pair.
+    /// Adds the condition of a driven pair. None if the pair is a hinge and one of its bodies is not placed.
     pub(in crate::mechanism) fn drive(&mut self, pair: &DrivenPair) -> Option<()> {
         let mesh = self.angle_constraints.len();
         let course = pair.course;
@@ -157,7 +158,6 @@ impl Plan<'_> {
         Some(())
     }
 
-    /// The finished group; None if the group has fewer equations than unknowns.
     pub(in crate::mechanism) fn finished(self, offset: usize) -> Option<(Group, Vec<Vector>)> {
         let mut forms: Vec<Form> = Vec::new();
         let mut index = |form: Form| {

@@ -7,7 +7,7 @@ use crate::{Assembly, FourBar};
 
 const LENGTHS: [f64; 4] = [0.37, 0.85, 0.55, 0.85];
 
-/// Crank-rocker with a point G of the frame at the end of the crank for φ = 0.
+/// Crank-rocker, with a point G of the frame where the crank pin B is at φ = 0.
 fn motion() -> Motion {
     let linkage = FourBar::new(LENGTHS).unwrap();
     let pose = linkage.pose::<1>(Assembly::First, 1.0).unwrap();
@@ -34,8 +34,8 @@ fn near(found: f64, expected: f64, what: &str) {
     );
 }
 
-/// Diagonal of a four-bar and the angle opposite to it agree with the law of cosines, both with their derivatives. The
-/// angle at the pivot of the crank is the input.
+/// The diagonal of a four-bar and the opposite angle agree with the law of cosines, both with their derivatives. The
+/// angle at the pivot of the crank is the input, or a whole turn less the input after half a turn.
 #[test]
 fn laws_of_cosines() {
     let [l1, l2, l3, l4] = LENGTHS;
@@ -140,8 +140,8 @@ fn features_of_the_diagonal() {
     assert!(value.zeros.is_empty());
 }
 
-/// Angle between two links. Between coupler and rocker it follows from the diagonal by the law of cosines, up to whole
-/// turns; between crank and rocker, in either order, it is the difference of their angles, with its derivatives.
+/// The angle between coupler and rocker follows from the diagonal by the law of cosines, up to whole turns. The angle
+/// between crank and rocker, in either order, is the difference of their angles, with its derivatives.
 #[test]
 fn links_between() {
     let [l1, l2, l3, l4] = LENGTHS;
