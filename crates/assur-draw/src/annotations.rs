@@ -72,7 +72,7 @@ impl Annotations {
 pub struct GivenPosition {
     /// Number of the position.
     pub number: String,
-    /// The given directions, with handles at their ends.
+    /// The given directions, each with a handle at its second point.
     pub directions: Vec<([Point; 2], Role)>,
     /// The links in this position.
     pub links: Vec<([Point; 2], Role)>,

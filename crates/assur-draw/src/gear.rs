@@ -220,7 +220,6 @@ mod tests {
         }
     }
 
-    /// The wheels also mesh if one of them meshes with six others of different sizes.
     #[test]
     fn every_wheel_of_a_set_meshes_at_every_angle() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

@@ -217,7 +217,7 @@ pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> 
     Some(if inside { 0.0 } else { nearest })
 }
 
-/// Returns the centroid of a convex plate, or the middle of a bar.
+/// Returns the centroid of a convex plate, or the middle of a bar. Returns none for fewer than two corners.
 pub(crate) fn centroid(corners: &[Point]) -> Option<Point> {
     let [first, rest @ ..] = corners else {
         return None;
@@ -303,8 +303,8 @@ mod tests {
         assert_eq!(distance_to_plate(Point::origin(), &[]), None);
     }
 
-    /// A triangle has its centroid at the mean of the corners. An L of rectangles would not be convex; a trapezium with
-    /// the parallel sides 4 and 2 and the height 3 has it at 3·(4 + 2·2)/(3·(4 + 2)) from the longer side.
+    /// The trapezium with the parallel sides 4 and 2 and the height 3 has its centroid at 3·(4 + 2·2)/(3·(4 + 2)) from
+    /// the longer side.
     #[test]
     fn centroids_of_triangle_trapezium_and_bar() {
         for (corners, expected) in [

@@ -247,7 +247,6 @@ mod tests {
         }
     }
 
-    /// A label with a read-out shows the value of the read-out in degrees, if the read-out has a value.
     #[test]
     fn labels_are_written_with_their_values() {
         let mut list = List::default();

@@ -64,7 +64,7 @@ pub enum Fault {
     },
     /// Internal mesh of wheels with equal numbers of teeth: their centres coincide.
     Concentric,
-    /// Internal mesh of one driver with larger and with smaller wheels: the driver cannot be both ring and pinion.
+    /// One driver in internal mesh with both larger and smaller wheels: it cannot be both pinion and ring.
     BothSides,
     /// The body that is referred to does not exist.
     Absent,

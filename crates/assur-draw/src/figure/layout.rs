@@ -75,8 +75,8 @@ impl Layout {
         layout
     }
 
-    /// Returns a link's corners: one of a bare wheel or block, two of a bar, three or more of a plate, none of a link
-    /// that is fixed to another and has no points of its own.
+    /// Returns the corners of a link: one for a bare wheel or block, two for a bar, three or more for a plate, none for
+    /// a link that is fixed to another and has no points of its own.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();

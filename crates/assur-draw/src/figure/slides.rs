@@ -199,7 +199,8 @@ impl Guide {
         self.way == Way::Slot && self.on == Some(link)
     }
 
-    /// Draws a guide other than a slot: a line of the frame with hatching on its outer side, or a rod on a link.
+    /// Draws a guide other than a slot: a line or a channel of the frame with hatching on the outer side, or a rod on a
+    /// link.
     pub(super) fn draw_line(&self, list: &mut List, u: f64) {
         let ends = self.drawn(u);
         list.body(layout::number(self.on));

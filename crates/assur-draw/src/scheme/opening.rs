@@ -26,7 +26,7 @@ pub(super) struct Chain<'a> {
 }
 
 /// Last step of the path from the ground to a link: the pair, and the link before it. None for the ground and for a
-/// link that is not connected to it.
+/// link that is not connected to the ground.
 type Reached = Option<(usize, usize)>;
 
 impl<'a> Chain<'a> {
@@ -187,8 +187,8 @@ enum Small {
 }
 
 impl Small {
-    /// Selects one motion of a pair for opening a cut. If the kind of pair leaves its direction open, the motion moves
-    /// the point `at` farthest in the direction `away`.
+    /// Selects one motion of a pair for opening a cut. If the kind of pair does not fix the direction of the motion,
+    /// the direction is chosen that moves the point `at` farthest in the direction `away`.
     fn of(pair: &Pair, here: Point3, at: Point3, away: Vector3, size: f64) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
         let best = || {

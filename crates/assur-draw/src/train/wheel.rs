@@ -61,7 +61,7 @@ impl Wheel {
         }
     }
 
-    /// The radius of the backs of the plates, or of the roots of the teeth.
+    /// The radius of the backs of the plates. For a wheel with teeth it is close to that of the roots.
     pub(super) fn back(&self) -> f64 {
         let radius = self.radius();
         let height = (PLATE.0 * self.module).min(PLATE.1 * radius);

@@ -53,7 +53,7 @@ fn parameter<'a>(query: &'a str, name: &str) -> Option<&'a str> {
 /// Reads the mechanism that a query describes.
 ///
 /// # Errors
-/// A joint that cannot be read, such as a mesh of gears; too many parts.
+/// A joint that cannot be read, such as a mesh of gears; an invalid speed; too many parts.
 pub(super) fn sketch(query: &str, source: String) -> Result<Sketch, ImportProblem> {
     let joints = decoded(parameter(query, JOINTS).unwrap_or_default(), b"");
     let lines = joints
@@ -246,7 +246,8 @@ impl<'a> Reading<'a> {
         slides
     }
 
-    /// Adds the driver: the last joint marked as driven or else, as in PMKS, the first hinge or slide of two links.
+    /// Adds the driver: the last joint marked as driven or else, as in PMKS, the first hinge or slide of two or more
+    /// links.
     fn drive(&mut self, rows: &[Row<'a>], slides: &[Option<usize>], rpm: f64) {
         let usual = |row: &Row<'_>| row.links.len() > 1 && row.kind != Kind::PinInSlot;
         let told = rows.iter().rposition(|row| row.driven);

@@ -14,7 +14,8 @@ pub struct Differential {
 impl Differential {
     /// Makes the differential with these parameters.
     ///
-    /// # Errors
+    /// Every defect of the parameters. If there is none, [`Defect::TooStiff`], if the motion would be too fast to
+    /// integrate.
     /// All defects of the parameters; if there are none, [`Defect::TooStiff`] if it applies.
     pub fn new(parameters: &Parameters) -> Result<Self, Vec<Defect>> {
         let defects = Defects::of(parameters).0;

@@ -341,8 +341,8 @@ mod tests {
         assert_eq!(weights, [40, -250, 210]);
     }
 
-    /// With the carrier held, a ring of 60 teeth turns three times slower than a sun of 20, and in the opposite sense;
-    /// the satellite turns by z₁/z₂ = 20/20.
+    /// With the carrier held, a ring of 60 teeth turns three times slower than a sun of 20, in the opposite sense. The
+    /// satellite turns at −z₁/z₂ = −1 times the speed of the sun.
     #[test]
     fn the_satellite_is_an_idler_if_the_carrier_is_held() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();

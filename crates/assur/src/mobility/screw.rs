@@ -222,7 +222,8 @@ mod tests {
         }
     }
 
-    /// Three hinges with parallel axes in one plane have only two independent twists; with a fourth outside it, three.
+    /// Three hinges with parallel axes in one plane have only two independent twists. A fourth axis outside this plane
+    /// makes it three.
     #[test]
     fn parallel_axes_in_a_plane_have_two_independent_twists() {
         let hinge = |x: f64, y: f64| {

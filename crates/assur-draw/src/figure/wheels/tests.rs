@@ -48,8 +48,6 @@ fn draft() -> LinkageSpec {
     draft
 }
 
-/// Where two wheels touch, a tooth meets a gap at every input, though some wheels mesh with two
-/// others.
 #[test]
 fn teeth_meet_gaps_all_along_a_train() {
     let draft = draft();

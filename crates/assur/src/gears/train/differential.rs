@@ -204,7 +204,6 @@ mod tests {
         );
     }
 
-    /// Of 20 and 40 teeth: torques in the ratio 1 : −3 : 2, relative to each of the shafts.
     #[test]
     fn torques_are_in_the_ratio_of_the_weights() {
         let differential = Differential::of(20, 40);

@@ -131,7 +131,8 @@ mod tests {
         );
     }
 
-    /// Largest is sun to carrier, 1 + z₄/z₁; with equal weights it is shared with ring to carrier, 2 = 2.
+    /// If z₁ < z₄, the largest ratio is that of sun to carrier, 1 + z₄/z₁. If z₁ = z₄, that of ring to carrier is as
+    /// large.
     #[test]
     fn the_largest_ratio_is_of_the_shaft_with_the_least_weight() {
         for (sun, ring, expected) in [

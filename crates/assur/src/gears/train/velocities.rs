@@ -146,7 +146,7 @@ mod tests {
         assert_eq!((spin.relative, spin.along, spin.across), (3.0, 6.0, 0.0));
     }
 
-    /// cos Σ = (40 − 20)/40 = 1/2: half of the relative speed is along the central axis, √3/2 of it across.
+    /// cos Σ = (40 − 20)/40 = 1/2: half of the relative speed is along the central axis, √3/2 across.
     #[test]
     fn the_speed_of_a_bevel_satellite_has_two_components() {
         let train = Train::bevel([20.0, 20.0, 40.0]).unwrap();
