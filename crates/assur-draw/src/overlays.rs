@@ -32,7 +32,7 @@ pub struct Overlays {
 pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
-    /// Drawn length of the longest vector from which the scale is set, relative to the drawing's size.
+    /// Drawn length of the longest vector that determines the scale, relative to the drawing's size.
     const DRAWN_LENGTH: f64 = 0.3;
     /// Greatest length of a vector whose tip must be within the drawing, relative to the drawing's size.
     const ROOM: f64 = 0.5;

@@ -87,7 +87,6 @@ pub(crate) fn hull(mut places: Vec<Point>) -> Vec<Point> {
     if around.is_empty() { places } else { around }
 }
 
-/// Draws a hinge as the small circle of textbooks.
 pub(crate) fn hinge(list: &mut List, at: Point, radius: f64) {
     list.circle(Role::Ink, Look::Hollow, at, radius);
 }
@@ -263,7 +262,7 @@ mod tests {
         places.iter().map(|place| Point::from(*place)).collect()
     }
 
-    /// The hull of a square with a point inside it, one on a side, and a corner twice; and of points in line.
+    /// A square with a point inside it, a point on a side and a repeated corner; then collinear points.
     #[test]
     fn a_hull_has_the_corners_counter_clockwise() {
         let square = points(&[

@@ -32,7 +32,6 @@ impl Projection {
         Self { right, up, near }
     }
 
-    /// Returns the projection of a point.
     pub(crate) fn place(&self, at: Point3) -> Point {
         self.direction(at.coords).into()
     }

@@ -210,7 +210,6 @@ fn short(value: f64) -> String {
     }
 }
 
-/// Escapes markup in a text.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

@@ -1,4 +1,4 @@
-//! Typed indices of links, points, bodies, steps and slides. An index of one type is no index of another, and is valid
+//! Typed indices of links, points, bodies, steps and slides. The types are not interchangeable, and an index is valid
 //! only for the mechanism that gave it.
 
 use std::fmt;
@@ -67,7 +67,7 @@ impl StepId {
     pub(crate) const FIRST: Self = Self(0);
 }
 
-/// A vector that is indexed by one type of index.
+/// A list with typed indices.
 pub(crate) struct List<I, T> {
     items: Vec<T>,
     numbers: PhantomData<I>,

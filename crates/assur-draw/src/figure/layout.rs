@@ -167,7 +167,8 @@ impl Layout {
         self.is_joint(point) && !self.moves(point)
     }
 
-    /// Returns the size of a fixed pivot's support, symbol units, smaller under a wheel's shaft; none for other points.
+    /// Returns the size of the support of a fixed pivot, in symbol units; it is smaller under the shaft of a wheel.
+    /// None for other points.
     pub(super) fn support(&self, point: PointId) -> Option<f64> {
         let fixed = !self.moves(point);
         let of_links = self.is_joint(point).then_some(1.5);

@@ -13,7 +13,6 @@ const MAX_ROTATION: f64 = 0.45;
 /// Translation in a pair that counts as much as a turn of one radian, relative to the size of the drawing.
 const LEVER: f64 = 0.3;
 
-/// A displacement in space.
 pub(super) type Displacement = Isometry3<f64>;
 
 /// A chain with cuts; `left` lists, for each pair, the links that the pair still joins.

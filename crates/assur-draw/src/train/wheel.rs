@@ -137,7 +137,6 @@ impl Wheel {
     }
 }
 
-/// The point with these polar coordinates.
 pub(super) fn polar(radius: f64, angle: f64) -> Point {
     let (sin, cos) = angle.sin_cos();
     Point::new(radius * cos, radius * sin)

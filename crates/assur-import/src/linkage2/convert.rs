@@ -18,7 +18,7 @@ pub(super) struct Conversion<'a> {
     pub(super) bars: Vec<Option<usize>>,
 }
 
-/// The mechanism of a file.
+/// Converts the parts of a file to a sketch.
 pub(super) fn sketch(parts: &Parts) -> Sketch {
     let mut conversion = Conversion {
         parts,

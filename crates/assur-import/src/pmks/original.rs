@@ -1,7 +1,8 @@
-//! URLs of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>): `?set=s50&mech=ground,input,R,0,0,0,tfft|…`.
-//! A URL lists only joints. A joint has the names of its links, a kind (R, P, RP), coordinates, the direction of its
-//! slide in degrees, and four letters. The letters state whether the joint's position, velocity and acceleration are
-//! shown and whether it is driven. The first link of a sliding pair has the slot, the second the block or pin.
+//! URLs of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>):
+//! `?set=s50&mech=ground,input,R,0,0,0,tfft|…`. A URL lists only joints. A joint has the names of its links, a kind (R,
+//! P, RP), coordinates, the direction of its slide in degrees, and four letters. The letters state whether the joint's
+//! position, velocity and acceleration are shown and whether it is driven. The first link of a sliding pair has the
+//! slot, the second the block or pin.
 
 use std::f64::consts::TAU;
 
@@ -188,7 +189,6 @@ impl<'a> Reading<'a> {
         }))
     }
 
-    /// Puts a joint on a body.
     fn put(&mut self, joint: usize, on: Body) {
         match on {
             Body::Frame => self.sketch.joints[joint].fixed = true,

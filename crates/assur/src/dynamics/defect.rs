@@ -87,7 +87,6 @@ const RATIO: f64 = 1e3;
 /// Maximum angle at the start, radians.
 const ANGLE: f64 = 1e6;
 
-/// The defects found so far.
 #[derive(Debug, Default)]
 pub(super) struct Defects(pub(super) Vec<Defect>);
 

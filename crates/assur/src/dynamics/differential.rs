@@ -14,9 +14,9 @@ pub struct Differential {
 impl Differential {
     /// Makes the differential with these parameters.
     ///
-    /// Every defect of the parameters. If there is none, [`Defect::TooStiff`], if the motion would be too fast to
-    /// integrate.
-    /// All defects of the parameters; if there are none, [`Defect::TooStiff`] if it applies.
+    /// # Errors
+    /// Every defect of the parameters. If there is none but the motion would be too fast to integrate,
+    /// [`Defect::TooStiff`].
     pub fn new(parameters: &Parameters) -> Result<Self, Vec<Defect>> {
         let defects = Defects::of(parameters).0;
         if !defects.is_empty() {

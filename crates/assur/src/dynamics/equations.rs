@@ -1,14 +1,13 @@
 //! The equations of motion: torques, accelerations and powers.
 //!
-//! All arrays of bodies are in the order of [`Body::ALL`]. Inertia, damping and torques of the satellites are totals
-//! over all k of them.
+//! Arrays over the bodies are in the order of [`Body::ALL`]. Inertia, damping and torques of the satellites are totals
+//! over all k satellites.
 
 use super::differential::following;
 use super::gauss::{Moment, N};
 use super::{Load, Mesh, Parameters, Profile};
 use crate::angle::{Angle, combination};
 
-/// Coefficients of the equations.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Equations {
     pub(super) meshes: [Field; 2],

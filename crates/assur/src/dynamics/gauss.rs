@@ -71,7 +71,6 @@ pub(super) struct Moment {
     pub(super) rates: [f64; N],
 }
 
-/// Result of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
     /// Change of the coordinates.

@@ -12,14 +12,14 @@ pub const TICKS_PER_SECOND: u32 = 1024;
 /// Duration of a tick, seconds.
 pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 
-/// Maximum product of the length of a step and the fastest rate in its state. Up to this product the method has its
+/// Maximum product of the length of a step and the fastest rate in the state. Up to this product the method has its
 /// order of accuracy.
 const STEP: f64 = 0.25;
 
 /// Maximum number of halvings of a tick.
 const MAX_HALVINGS: u32 = 12;
 
-/// Maximum product of the length of a tick and the fastest rate in its state; beyond it the run halts.
+/// Maximum product of the length of a tick and the fastest rate in the state; beyond it the run halts.
 pub(super) const QUICKEST: f64 = STEP * (1 << MAX_HALVINGS) as f64;
 
 /// Motion of a differential from its start.
@@ -55,7 +55,6 @@ pub enum Halt {
     },
 }
 
-/// The state of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct State {
     pub(super) ticks: u64,

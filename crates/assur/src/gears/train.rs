@@ -232,7 +232,7 @@ impl Train {
     }
 
     /// The angle Σ between a satellite's axis and the central axis, radians; 0 in a planar train. In bevel trains the
-    /// pitch cones of sun and ring touch the satellite's on opposite sides, so cos Σ = (z₄ − z₁)/(2 z₂).
+    /// pitch cones of sun and ring touch that of the satellite on opposite sides, so cos Σ = (z₄ − z₁)/(2 z₂).
     pub fn inclination(&self) -> f64 {
         match self.kind {
             Kind::Planar | Kind::Stepped => 0.0,
@@ -294,7 +294,6 @@ fn planar_shafts([sun, ring]: [f64; 2]) -> Result<[u32; 2], Vec<TrainError>> {
     Ok([sun, ring])
 }
 
-/// Validates numbers of teeth.
 fn teeth<const N: usize>(members: [(Member, f64); N]) -> Result<[u32; N], Vec<TrainError>> {
     let mut reasons = Vec::new();
     let teeth = members.map(|(member, value)| {

@@ -214,8 +214,8 @@ mod tests {
         }
     }
 
-    /// The three hinges in line have two constraints along the line where one is enough, and do not hold the triangle
-    /// across the line: it moves for an instant.
+    /// With the hinges in line, one constraint along the line is redundant, and none acts across the line: the triangle
+    /// moves for an instant.
     #[test]
     fn a_flat_triangle_moves_for_an_instant() {
         let flat = [

@@ -66,7 +66,7 @@ fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
 }
 
 /// Equations of a step. There are none for a group that is neither a dyad nor an epicyclic train, for a body whose only
-/// point is its hinge, and for a track whose joint would be the target but is missing.
+/// point is its hinge, and for a slider or a PRP dyad whose track has no joint.
 pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
         Step::Epicyclic(geared) => {

@@ -163,7 +163,6 @@ impl Differential {
 mod tests {
     use super::*;
 
-    /// Sun of 20 and ring of 40 teeth: ω₁ + 2 ω₄ = 3 ω₃, torques 1 : 2 : −3.
     #[test]
     fn sun_of_20_ring_of_40() {
         let differential = Differential::planar([20.0, 40.0]).unwrap();

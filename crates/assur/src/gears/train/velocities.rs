@@ -134,7 +134,7 @@ mod tests {
         }
     }
 
-    /// A satellite rolls on an equal sun as a coin on an equal coin: two turns for each turn around it.
+    /// A satellite rolls on an equal sun as a coin on an equal coin: two turns for each turn around the sun.
     #[test]
     fn a_satellite_as_large_as_the_held_sun_turns_twice_as_fast() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
