@@ -308,8 +308,6 @@ mod tests {
         }
     }
 
-    /// The longest vector that is not ignored has the intended length. The scale is finite and positive, even if
-    /// nothing moves or a tenth of the vectors grows without bound.
     #[test]
     fn scales_are_finite_and_positive() {
         let moving = |speed: f64| JetPoint {

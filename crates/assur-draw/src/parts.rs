@@ -262,7 +262,6 @@ mod tests {
         places.iter().map(|place| Point::from(*place)).collect()
     }
 
-    /// A square with a point inside it, a point on a side and a repeated corner; then collinear points.
     #[test]
     fn a_hull_has_the_corners_counter_clockwise() {
         let square = points(&[

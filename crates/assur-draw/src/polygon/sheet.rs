@@ -154,7 +154,6 @@ mod tests {
         poses.map(polygon).collect()
     }
 
-    /// If the crank turns fully, there is one scale: the longest vector fills much of the sheet, which holds the pole.
     #[test]
     fn a_turning_crank_has_one_scale() {
         let motion = four_bar([1.0, 3.0, 3.0]);

@@ -301,7 +301,6 @@ mod tests {
         assert!(matches!(closed, Err(CutError::StillClosed { pairs }) if pairs.len() == 4));
     }
 
-    /// A contour of n hinges opened at one hinge has n − 1 freedoms less 2 constraints in the plane.
     #[test]
     fn a_contour_loses_a_hinge_and_its_constraints() {
         for count in 4..8_usize {

@@ -230,7 +230,6 @@ mod tests {
         }
     }
 
-    /// Poles that alternate have (20 + 64)/2 = 42 periods: four satellites fit 84 plates, but not 42 periods.
     #[test]
     fn alternating_poles_halve_the_count_of_the_assembly() {
         let train = Train::planar([20.0, 20.0, 64.0]).unwrap();

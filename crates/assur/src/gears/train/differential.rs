@@ -184,8 +184,6 @@ mod tests {
         assert!(Differential::planar([40.0, 20.0]).is_err());
     }
 
-    /// The differential of an axle: equal side wheels share the torque of the carrier, whatever their speeds. At 8 and
-    /// 12 the power taken in at the carrier, 10·10, is given off as 5·8 and 5·12.
     #[test]
     fn equal_side_wheels_share_the_torque() {
         let axle = Differential::of(16, 16);

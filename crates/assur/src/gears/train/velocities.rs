@@ -121,8 +121,6 @@ mod tests {
         assert_eq!(found.instantaneous_centre, Some(60.0));
     }
 
-    /// With the ring held, the satellite turns about its point of contact with the ring; with the sun held, about that
-    /// with the sun.
     #[test]
     fn a_satellite_rolls_on_a_wheel_that_is_held() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
