@@ -72,14 +72,14 @@ impl Annotations {
 pub struct GivenPosition {
     /// Number of the position.
     pub number: String,
-    /// The given directions, with handles at their ends.
+    /// The given directions, each with a handle at its second point.
     pub directions: Vec<([Point; 2], Role)>,
     /// The links in this position.
     pub links: Vec<([Point; 2], Role)>,
 }
 
 /// Number of a wheel, written beside its rim. If the link has no point but the wheel's centre, a plain shaft is drawn
-/// there, with neither hinge nor name.
+/// at the centre, with neither hinge nor name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     /// The link of the wheel.
@@ -90,7 +90,7 @@ pub struct Tag {
     pub direction: f64,
 }
 
-/// Numbers of mixing blades on the wheel on the rocker's shaft, and on each wheel around it.
+/// Numbers of mixing blades: on wheel 4, and on each wheel around it.
 const BLADES: [usize; 2] = [3, 4];
 
 /// Angle from the centre line of a wheel and its mate to the direction of the wheel's number, radians.
@@ -117,7 +117,7 @@ impl From<&Mixer> for Annotations {
         ];
         let links = links.map(|(link, role)| (link.to_owned(), role));
         let pairs = mixer.gears.pairs();
-        // The number of wheel 4 is placed by the centre line to the first wheel that it drives.
+        // The direction of the number of wheel 4 is measured from the centre line to the first wheel that it drives.
         let lines = pairs.first().into_iter().chain(pairs);
         let lines: Vec<f64> = lines.map(|pair| pair.centre_line()).collect();
         let wheels = || (0..lines.len()).map(|k| format!("wheel{}", k + 4));

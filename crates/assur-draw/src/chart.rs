@@ -35,9 +35,9 @@ const MARGIN: Margin = Margin {
     bottom: 22,
 };
 
-/// Share of the full axis below which a shortened axis is used.
+/// Maximum length of a shortened axis, as a share of the full axis. An axis that would be longer is not shortened.
 const MOST_OF_A_TURN: f64 = 0.8;
-/// Least share of the full axis for which a shortened axis is used, since the range of a motion can be almost zero.
+/// Minimum length of a shortened axis, as a share of the full axis: the range of a motion can be almost zero.
 const LEAST_OF_A_TURN: f64 = 0.001;
 /// Margin at both ends of a shortened axis, as a share of the motion's span.
 const BESIDE: f64 = 0.04;

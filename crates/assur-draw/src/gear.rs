@@ -1,10 +1,10 @@
-//! Outlines of gears in mesh: standard involute teeth (pressure angle 20°), shortened to avoid undercutting the mate.
+//! Outlines of gears in mesh: standard involute teeth (pressure angle 20°), shortened where they would interfere with
+//! the mate.
 
 use std::f64::consts::PI;
 
 use assur::Point;
 
-/// Pressure angle of the teeth.
 const PRESSURE_ANGLE: f64 = 20.0 * PI / 180.0;
 /// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
@@ -220,7 +220,6 @@ mod tests {
         }
     }
 
-    /// The wheels also mesh if one of them meshes with six others of different sizes.
     #[test]
     fn every_wheel_of_a_set_meshes_at_every_angle() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

@@ -1,6 +1,6 @@
 //! Drawings of mechanisms and charts of their motion. A mechanism becomes a flat display list of numbers in model
 //! coordinates, which any painter can paint. A chart is drawn by plotters on any of its backends. Only SVG sheets
-//! contain text; otherwise only its positions are given.
+//! contain text; elsewhere only the positions of texts are given.
 //!
 //! | file | subject |
 //! |---|---|

@@ -32,7 +32,7 @@ pub struct Overlays {
 pub(crate) struct Scales([f64; 2]);
 
 impl Scales {
-    /// Drawn length of the longest vector from which the scale is set, relative to the drawing's size.
+    /// Drawn length of the longest vector that determines the scale, relative to the drawing's size.
     const DRAWN_LENGTH: f64 = 0.3;
     /// Greatest length of a vector whose tip must be within the drawing, relative to the drawing's size.
     const ROOM: f64 = 0.5;
@@ -109,7 +109,7 @@ pub(crate) fn loop_vector(list: &mut List, [from, to]: [Point; 2], name: usize, 
         return;
     }
     let along = along / length;
-    // The arrow does not touch the circles of the hinges.
+    // The arrow begins and ends at the circles of the hinges.
     let [start, tip] = [from + along * (1.1 * unit), to - along * (1.1 * unit)];
     parts::arrow(list, Role::Ink, start, tip, unit);
     let left = [-1.1 * along.y, 1.1 * along.x];
@@ -227,7 +227,6 @@ mod tests {
     use super::*;
     use assur::Jet;
 
-    /// A distance is drawn as a line with end strokes and its name beside the middle, unless its points coincide.
     #[test]
     fn distances_are_drawn_across() {
         let mut list = List::default();
@@ -246,7 +245,6 @@ mod tests {
         assert_eq!(list.numbers(), expected.concat());
     }
 
-    /// The arc of an angle takes the shorter way round, whichever leg is given first.
     #[test]
     fn corners_are_within_half_a_turn() {
         let [a, b, c] = [[0.0, -1.0], [0.0, 0.0], [-1.0, 1.0]].map(Point::from);
@@ -310,8 +308,6 @@ mod tests {
         }
     }
 
-    /// The longest vector that is not ignored has the intended length. The scale is finite and positive, even if
-    /// nothing moves or a tenth of the vectors grows without bound.
     #[test]
     fn scales_are_finite_and_positive() {
         let moving = |speed: f64| JetPoint {

@@ -87,7 +87,6 @@ pub(crate) fn hull(mut places: Vec<Point>) -> Vec<Point> {
     if around.is_empty() { places } else { around }
 }
 
-/// Draws a hinge as the small circle of textbooks.
 pub(crate) fn hinge(list: &mut List, at: Point, radius: f64) {
     list.circle(Role::Ink, Look::Hollow, at, radius);
 }
@@ -217,7 +216,7 @@ pub(crate) fn distance_to_plate(place: Point, corners: &[Point]) -> Option<f64> 
     Some(if inside { 0.0 } else { nearest })
 }
 
-/// Returns the centroid of a convex plate, or the middle of a bar.
+/// Returns the centroid of a convex plate, or the middle of a bar. Returns none for fewer than two corners.
 pub(crate) fn centroid(corners: &[Point]) -> Option<Point> {
     let [first, rest @ ..] = corners else {
         return None;
@@ -263,7 +262,6 @@ mod tests {
         places.iter().map(|place| Point::from(*place)).collect()
     }
 
-    /// The hull of a square with a point inside it, one on a side, and a corner twice; and of points in line.
     #[test]
     fn a_hull_has_the_corners_counter_clockwise() {
         let square = points(&[
@@ -303,8 +301,8 @@ mod tests {
         assert_eq!(distance_to_plate(Point::origin(), &[]), None);
     }
 
-    /// A triangle has its centroid at the mean of the corners. An L of rectangles would not be convex; a trapezium with
-    /// the parallel sides 4 and 2 and the height 3 has it at 3·(4 + 2·2)/(3·(4 + 2)) from the longer side.
+    /// The trapezium with the parallel sides 4 and 2 and the height 3 has its centroid at 3·(4 + 2·2)/(3·(4 + 2)) from
+    /// the longer side.
     #[test]
     fn centroids_of_triangle_trapezium_and_bar() {
         for (corners, expected) in [

@@ -200,7 +200,6 @@ impl Drawing {
         self.list.name(Role::Ink, number, at.into(), [off.x, off.y]);
     }
 
-    /// Draws the scale bar.
     fn scale(&mut self, from: Point, length: f64) {
         let to = from + Vector::new(length, 0.0);
         let tick = Vector::new(0.0, 1.2 * self.unit);

@@ -32,7 +32,6 @@ impl Projection {
         Self { right, up, near }
     }
 
-    /// Returns the projection of a point.
     pub(crate) fn place(&self, at: Point3) -> Point {
         self.direction(at.coords).into()
     }
@@ -92,7 +91,6 @@ mod tests {
         assert!(axes.iter().sum::<Vector>().norm() < 1e-15);
     }
 
-    /// A place of the sheet, raised to the distance of a point, projects back onto the place.
     #[test]
     fn a_raised_point_keeps_its_projection_and_its_distance() {
         let view = Projection::space([0.4, 0.3]);

@@ -46,7 +46,7 @@ pub struct SchemeView {
     pub look: [f64; 2],
     /// Highlighted pairs, such as those of a contour that is still closed.
     pub marked: Vec<usize>,
-    /// Whether the freedoms of remaining pairs and the constraints of cut pairs are written beside them.
+    /// Whether the freedoms of each remaining pair and the constraints of each cut pair are written beside the pair.
     pub counted: bool,
 }
 

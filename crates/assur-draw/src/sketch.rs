@@ -113,7 +113,8 @@ impl Sketch {
         numbers
     }
 
-    /// Finds the link drawn nearest to a point, and its distance. If distances are equal, a wheel comes last.
+    /// Finds the link drawn nearest to a point, and its distance. At equal distances, bars, blocks and plates take
+    /// precedence over wheels.
     pub fn link_at(&self, place: Point) -> Option<(&str, f64)> {
         let links = self.draft.links.iter().filter_map(|link| {
             let outline = parts::hull(self.corners(link));

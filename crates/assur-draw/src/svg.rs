@@ -210,7 +210,6 @@ fn short(value: f64) -> String {
     }
 }
 
-/// Escapes markup in a text.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
@@ -247,7 +246,6 @@ mod tests {
         }
     }
 
-    /// A label with a read-out shows the value of the read-out in degrees, if the read-out has a value.
     #[test]
     fn labels_are_written_with_their_values() {
         let mut list = List::default();

@@ -22,8 +22,10 @@ const MAX_BYTES: usize = 1 << 20;
 /// parts grows faster than their number.
 const MAX_PARTS: usize = 1000;
 
+/// Checks the number of parts of a mechanism.
+///
 /// # Errors
-/// More than [`MAX_PARTS`] parts.
+/// There are more than [`MAX_PARTS`] parts.
 fn bounded(parts: usize) -> Result<(), ImportProblem> {
     match parts {
         0..=MAX_PARTS => Ok(()),

@@ -7,7 +7,6 @@ mod wheels;
 
 use crate::{ImportProblem, Imported};
 
-/// Name of a file's root tag.
 const ROOT: &str = "linkage2";
 
 /// Whether a text appears to be a Linkage file.

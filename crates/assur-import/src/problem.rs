@@ -22,7 +22,7 @@ pub enum ImportProblem {
     LinkCut,
     /// A malformed part of a URL.
     LinkPart { part: String },
-    /// The line of a tag that does not end or is out of place.
+    /// The line of a tag that is malformed, does not end or is out of place.
     MarkupBroken { line: usize },
     /// A value of a part that is not a number or is out of range.
     ImportNumber { part: String, value: String },
@@ -35,25 +35,21 @@ pub enum ImportProblem {
 }
 
 impl ImportProblem {
-    /// A malformed part of a URL.
     pub(crate) fn part(part: &str) -> Self {
         let part = quoted(part);
         Self::LinkPart { part }
     }
 
-    /// A value that is not a finite number or is out of range.
     pub(crate) fn number(part: &str, value: &str) -> Self {
         let [part, value] = [part, value].map(quoted);
         Self::ImportNumber { part, value }
     }
 
-    /// A joint between the teeth of wheels.
     pub(crate) fn gears(part: &str) -> Self {
         let part = quoted(part);
         Self::ImportGears { part }
     }
 
-    /// A name shared by two parts.
     pub(crate) fn twice(part: &str) -> Self {
         let part = quoted(part);
         Self::ImportTwice { part }

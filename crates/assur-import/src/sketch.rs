@@ -17,7 +17,6 @@ pub(crate) enum Body {
     Bar(usize),
 }
 
-/// A point.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
     pub(crate) name: String,
@@ -33,7 +32,7 @@ pub(crate) struct Joint {
 pub(crate) struct Bar {
     pub(crate) name: String,
     pub(crate) joints: Vec<usize>,
-    /// The body to which a wheel is fixed as drawn.
+    /// The body to which a wheel is fixed, in the drawn position.
     pub(crate) fixed_to: Option<Body>,
     /// Whether the bar is a wheel. A wheel remains a link even on a shaft at rest.
     pub(crate) wheel: bool,
@@ -258,7 +257,6 @@ impl Sketch {
     }
 }
 
-/// Name of the frame among links.
 const FRAME: &str = "frame";
 
 fn root(into: &[Body], mut of: Body) -> Body {

@@ -69,8 +69,8 @@ impl GearPair {
     ///
     /// # Errors
     /// All faults are returned together: numbers of teeth that are not positive integers within [`TEETH`]; a module
-    /// that is not positive; values that are not finite; equal numbers of teeth in internal mesh. Dimensions with the
-    /// index of a driven wheel have index 0.
+    /// that is not positive or out of range; values that are not finite; equal numbers of teeth in internal mesh.
+    /// Dimensions with the index of a driven wheel have index 0.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,
@@ -154,7 +154,7 @@ impl GearPair {
         }
     }
 
-    /// The driven wheel (z₅), mounted in mesh with the driver.
+    /// The driven wheel (z₅), mounted in mesh with the driver, or with the idler if there is one.
     pub fn driven_wheel(&self) -> Wheel {
         match self.idler() {
             Some(idler) => self.outer(&idler, self.driven),
@@ -163,7 +163,7 @@ impl GearPair {
         }
     }
 
-    /// The idler that gives the printed sign of the ratio; none for a real pair.
+    /// The idler that gives the printed sign of the ratio; None unless the mesh is [`Mesh::AsPrinted`].
     pub fn idler(&self) -> Option<Wheel> {
         // The ratio does not depend on the teeth of the idler; a small idler keeps the drawing compact.
         let teeth = (self.driver.min(self.driven) / 2).max(12);
@@ -216,7 +216,6 @@ impl GearPair {
     }
 }
 
-/// Validates a number of teeth.
 fn count(dimension: Dimension, value: f64) -> Result<u32, Invalid> {
     Fault::check_count(value, TEETH).map_err(|fault| Invalid { dimension, fault })
 }

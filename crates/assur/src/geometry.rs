@@ -75,8 +75,8 @@ impl<const N: usize> JetPoint<N> {
 mod tests {
     use super::*;
 
-    /// A segment from (0, 0) to (3, 4), of length 5. The foot of the perpendicular from (4, 3) is 24/5
-    /// along it; (−2.8, 4.6) is 2 along it and 5 to the left.
+    /// The segment has the length 5. The foot of the perpendicular from (4, 3) is 24/5 from its start, that from (−2.8,
+    /// 4.6) is 2 from its start.
     #[test]
     fn nearest_point_of_a_segment_is_the_foot_or_an_end() {
         let (from, to) = (Point::origin(), Point::new(3.0, 4.0));
@@ -94,7 +94,6 @@ mod tests {
         assert_eq!(nearest(to, from, from), from);
     }
 
-    /// An arm with the components 3 along and 4 across has the length 5: v = (−4, 3), a = −r, and so on.
     #[test]
     fn derivatives_of_a_turning_arm_are_quarter_turns() {
         let end =
@@ -118,7 +117,7 @@ mod tests {
         }
     }
 
-    /// At twice the speed of the input, the velocity is twice and the acceleration four times as large.
+    /// A point at radius 5 on a link that turns at twice the rate of the input: velocity 2·5, acceleration 2²·5.
     #[test]
     fn centripetal_acceleration_is_the_square_of_the_speed_times_the_radius() {
         let end = JetPoint::fixed(Point::origin()).offset(Jet::<3>::linear(0.0, 2.0), 5.0, 0.0);

@@ -1,10 +1,10 @@
-//! Typed indices of links, points, bodies and steps, not interchangeable, and valid only for the mechanism of origin.
+//! Typed indices of links, points, bodies, steps and slides. The types are not interchangeable, and an index is valid
+//! only for the mechanism that gave it.
 
 use std::fmt;
 use std::marker::PhantomData;
 use std::ops::{Index, IndexMut};
 
-/// A typed index.
 pub(crate) trait Id: Copy {
     fn at(index: usize) -> Self;
     fn number(self) -> usize;
@@ -67,7 +67,7 @@ impl StepId {
     pub(crate) const FIRST: Self = Self(0);
 }
 
-/// A list with a typed index.
+/// A list with typed indices.
 pub(crate) struct List<I, T> {
     items: Vec<T>,
     numbers: PhantomData<I>,
@@ -78,7 +78,6 @@ impl<I: Id, T> List<I, T> {
         self.items.len()
     }
 
-    /// The indices of all items.
     pub(crate) fn ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = I> + ExactSizeIterator + Clone + use<I, T> {

@@ -64,7 +64,7 @@ pub enum Fault {
     },
     /// Internal mesh of wheels with equal numbers of teeth: their centres coincide.
     Concentric,
-    /// Internal mesh of one driver with larger and with smaller wheels: the driver cannot be both ring and pinion.
+    /// One driver in internal mesh with both larger and smaller wheels: it cannot be both pinion and ring.
     BothSides,
     /// The body that is referred to does not exist.
     Absent,
@@ -122,12 +122,10 @@ pub struct Invalid {
 }
 
 impl Invalid {
-    /// Returns the value if its absolute value is at most the maximum.
     pub(crate) fn check_size(dimension: Dimension, value: f64, max_size: f64) -> Result<f64, Self> {
         Fault::check_size(value, max_size).map_err(|fault| Self { dimension, fault })
     }
 
-    /// Returns the value if it is positive and in the range.
     pub(crate) fn check_positive(
         dimension: Dimension,
         value: f64,

@@ -73,7 +73,7 @@ impl<const N: usize> Jet<N> {
         self.0.iter().map(|c| 0.0 * c).sum::<f64>() == 0.0
     }
 
-    /// The square. For products of two different jets use [`Mul`].
+    /// The square.
     pub fn square(self) -> Self {
         self * self
     }
@@ -98,8 +98,8 @@ impl<const N: usize> Jet<N> {
         }))
     }
 
-    /// The angle of the vector (`x`, `self`), with a value in [−π, π]. The vector must have length 1 at any input; for
-    /// other vectors use [`Self::atan2`].
+    /// The angle of the vector (`x`, `self`), with a value in [−π, π]. The vector must have length 1 at every input;
+    /// for other vectors use [`Self::atan2`].
     pub fn unit_atan2(self, x: Self) -> Self {
         let (y, x) = (self.0, x.0);
         Self(std::array::from_fn(|k| {
@@ -188,8 +188,8 @@ impl<const N: usize> Mul for Jet<N> {
     }
 }
 
-/// The quotient, finite only if the divisor is not zero. Multiplied by the divisor it gives the dividend except for rounding,
-/// even if both are small; a product with the reciprocal would not.
+/// The quotient. It is finite only if the divisor is not zero. Its product with the divisor is the dividend up to
+/// rounding, even if both are small. The product of the dividend and the reciprocal would be less accurate.
 impl<const N: usize> Div for Jet<N> {
     type Output = Self;
     fn div(self, divisor: Self) -> Self {
@@ -219,7 +219,7 @@ impl<const N: usize> Mul<f64> for Jet<N> {
     }
 }
 
-/// Coefficients of y, y³, … in the series of the arcsine. The sum is exact to an ulp for |y| < [`MAX_SINE`].
+/// Coefficients of y, y³, … in the series of the arcsine. The sum is accurate to an ulp for |y| < [`MAX_SINE`].
 const ARCSINE: [f64; 8] = [
     1.0,
     1.0 / 6.0,
@@ -232,7 +232,8 @@ const ARCSINE: [f64; 8] = [
 ];
 const MAX_SINE: f64 = 0.1;
 
-/// The angle of a unit vector. A small angle, as between neighbouring poses, takes a fraction of an arctangent's time.
+/// The angle of a unit vector. Between neighbouring poses the angle is small; the series is then several times faster
+/// than the arctangent.
 fn unit_angle(y: f64, x: f64) -> f64 {
     if x > 0.0 && y.abs() < MAX_SINE {
         let square = y * y;
@@ -257,7 +258,6 @@ mod tests {
         assert_eq!(unit_angle(0.0, -1.0), std::f64::consts::PI);
     }
 
-    /// All derivatives of e^{iωt}, of its argument and of its modulus are known, so they check every operation at once.
     #[test]
     fn turning_vector() {
         let (t, omega) = (0.7_f64, 3.0_f64);

@@ -1,14 +1,14 @@
 //! The engine of Assur: positions of planar mechanisms with exact derivatives.
 //!
 //! Conventions throughout this crate: x to the right, y up, angles counter-clockwise in radians, lengths in any one
-//! unit. The input is the crank angle φ₁. Derivatives are with respect to φ₁, not to time: φ′ is the *analogue* of the
-//! velocity, φ″ of the acceleration. Angles are continuous along a motion and are not reduced to (−π, π]. Only
-//! [`dynamics`] and [`gears::train`] follow a motion over time.
+//! unit. The input is the coordinate of the first driver, usually the crank angle φ₁. Derivatives are with respect to
+//! the input, not to time: φ′ is the *analogue* of the velocity, φ″ of the acceleration. Angles are continuous along a
+//! motion and are not reduced to (−π, π]. Only [`dynamics`] and [`gears::train`] follow a motion over time.
 //!
-//! The crate is pure: no screen, clock, I/O or randomness. An invalid dimension returns an [`Invalid`], which names
-//! that dimension. A crank angle without a pose returns an [`Unsolved`], which gives the reason. Nothing panics or
-//! returns NaN. Ids of links and points come from a [`mechanism::Mechanism`] and are valid only with it: an id from
-//! another mechanism may be out of range.
+//! The crate is pure: no screen, clock, I/O or randomness. An error names the invalid dimension ([`Invalid`]), or gives
+//! the reason why there is no pose at an input ([`Unsolved`] for a four-bar). Nothing panics or returns NaN, provided
+//! that ids of links and points are used only with the [`mechanism::Mechanism`] that gave them: the id of another
+//! mechanism may be out of range.
 //!
 //! | module | subject |
 //! |---|---|
@@ -18,7 +18,7 @@
 //! | `four_bar` ([`FourBar`]), [`gears`], [`mixer`] | four-bars in closed form; gear pairs and epicyclic trains; the mixer |
 //! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from given positions, linkages with a dwell; a differential with magnetic couplings under load |
 //! | `combined_method`, `relation` | equations of the source papers, evaluated as printed and as corrected |
-//! | `jet`, `geometry`, `index`, `numeric` | derivatives; points and vectors; typed ids; roots, linear equations, whole turns, levels of tolerance |
+//! | `jet`, `geometry`, `index`, `sorting`, `numeric` | derivatives; points and vectors; typed ids; sorting; roots, linear equations, whole turns, levels of tolerance |
 //!
 //! ```
 //! use assur::{Assembly, FourBar};

@@ -7,19 +7,21 @@ use crate::Vector;
 /// A quantity for which a paper gives a relation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relation {
-    /// The item in the table of the paper, such as `002.(10)`, or an id of its own for a relation not in this table.
+    /// Row of the table in docs/papers.md, such as `002.(10)`, or an id of its own for a relation that is not in this
+    /// table.
     pub item: &'static str,
-    /// The quantity in the paper's notation, such as `φ₃′`; with the position's number if there are several: `φ₂⁽¹⁾`.
+    /// The quantity in the paper's notation, such as `φ₃′`; with the number of the assembly if there are several:
+    /// `φ₂⁽¹⁾`.
     pub name: Cow<'static, str>,
     /// True for an angle in radians; false for a length or a number.
     pub is_angle: bool,
-    /// True for an angle of rotation, in which whole turns count; any other angle is a direction.
+    /// True for an angle of rotation, in which whole turns count; false for a direction and for any other quantity.
     pub is_turned: bool,
     /// True for a count, which is a whole number.
     pub is_count: bool,
     /// Value of the quantity in the pose.
     pub value: f64,
-    /// Value by the relation as printed; none if the relation divides by zero.
+    /// Value by the relation as printed; None if it is not finite, for example because the relation divides by zero.
     pub printed: Option<f64>,
 }
 
@@ -41,7 +43,8 @@ impl Relation {
         }
     }
 
-    /// A quantity shown beside the relations, for which the paper prints no relation.
+    /// A quantity shown beside the relations, for which the paper prints no relation: its printed value is its own
+    /// value.
     pub(crate) fn shown(
         item: &'static str,
         name: impl Into<Cow<'static, str>>,

@@ -33,7 +33,7 @@ pub fn extremes(values: impl Iterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-/// Indices below a count, sorted by comparing the items at these indices.
+/// The indices 0 … `count` − 1, sorted by a comparison of the items at these indices; stable.
 #[inline(never)]
 fn order(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();

@@ -23,7 +23,6 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Whether the axis is labelled in degrees.
     fn in_degrees(&self) -> bool {
         self.kind == Kind::Angle && self.order == 0
     }

@@ -35,7 +35,7 @@ impl Chart {
 }
 
 impl Against {
-    /// Adds the curve of another plot of the same two quantities.
+    /// Adds the curve of another plot, if it shows the same two quantities.
     pub fn compare(&mut self, other: &Self) {
         if self.axes != other.axes {
             return;
@@ -88,7 +88,6 @@ pub(super) fn dashed(line: &[(f64, f64)], to_pixels: [f64; 2], scale: f64) -> Ve
 mod tests {
     use super::*;
 
-    /// Dashes and gaps alternate, across corners, at any spacing of the samples.
     #[test]
     fn dashes_are_of_one_length() {
         let line: Vec<(f64, f64)> = (0..=70).map(|x| (f64::from(x) / 10.0, 0.0)).collect();

@@ -180,7 +180,6 @@ pub(crate) fn sampled(
     runs
 }
 
-/// Returns the zeros and extrema of a curve as marks.
 fn marks(features: &Features) -> Vec<Mark> {
     let zeros = features.zeros.iter().map(|crank| Mark {
         kind: MarkKind::Zero,
@@ -265,7 +264,6 @@ impl Curve {
         cut(&self.compared, min, max)
     }
 
-    /// Takes the runs of another curve for comparison.
     pub(super) fn compare(&mut self, other: &Self) {
         self.compared.clone_from(&other.runs);
     }

@@ -25,7 +25,7 @@ const FINEST_OF_SHORT: f64 = 5.0;
 /// Span of crank angles below which the spacing of ticks has no least value, degrees.
 const VERY_SHORT: f64 = 20.0;
 
-/// Returns ticks of the crank angle, given in radians, about 50 × `scale` pixels apart.
+/// Returns ticks in degrees for a range of crank angles in radians. They are at least 50 × `scale` pixels apart.
 pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     let (from, to) = (start.to_degrees(), end.to_degrees());
     let span = to - from;
@@ -45,7 +45,7 @@ pub(super) fn crank([start, end]: [f64; 2], width: f64, scale: f64) -> Vec<Tick>
         .collect()
 }
 
-/// Returns ticks of an input that is a length, about 50 × `scale` pixels apart.
+/// Returns ticks of an input that is a length or a time. They are at least 50 × `scale` pixels apart.
 pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
     multiples(round_step((to - from) * 50.0 * scale / width), from, to)
         .map(|value| Tick {
@@ -55,7 +55,7 @@ pub(super) fn way([from, to]: [f64; 2], width: f64, scale: f64) -> Vec<Tick> {
         .collect()
 }
 
-/// Returns ticks of values along the abscissa, about 50 × `scale` pixels apart; those of an angle are in degrees.
+/// Returns ticks along the abscissa, in degrees for an angle. They are at least 50 × `scale` pixels apart.
 pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Vec<Tick> {
     let (step, [from, to]) = stepped(range, angle, 50.0 * scale / width);
     let at = |value: f64| (value - from) / (to - from) * width;
@@ -68,8 +68,8 @@ pub(super) fn abscissae(range: Range, angle: bool, width: f64, scale: f64) -> Ve
         .collect()
 }
 
-/// Returns ticks along the ordinate, in degrees for an angle. The spacing is about 28 pixels, or 18 × `scale` if that
-/// is more, to fit larger text.
+/// Returns ticks along the ordinate, in degrees for an angle. They are at least 28 pixels apart, or 18 × `scale` if
+/// that is more, to fit larger text.
 pub(super) fn values(range: Range, angle: bool, height: f64, scale: f64) -> Vec<Tick> {
     let (step, [from, to]) = stepped(range, angle, (18.0 * scale).max(28.0) / height);
     multiples(step, from, to)
@@ -93,8 +93,8 @@ fn stepped(range: Range, angle: bool, apart: f64) -> (f64, [f64; 2]) {
     (step, [from, to])
 }
 
-/// Returns the smallest usual step of angles that is at least `least` and at least `finest`, degrees. Steps beyond a
-/// turn are whole turns.
+/// Returns the smallest usual step of angles that is at least `least` and at least `finest`, degrees. Steps below 1°
+/// are round numbers, steps beyond a turn are whole turns.
 fn angle_step(least: f64, finest: f64) -> f64 {
     if least < 1.0 && finest <= least {
         return round_step(least);

@@ -7,7 +7,7 @@ use super::layout::Layout;
 use super::posed::Posed;
 use crate::list::{List, Look};
 
-/// Draws each link as dashed lines between its visible points, in its colour.
+/// Draws each link as dashed lines between its visible points, in the colour of the link.
 pub(super) fn draw<const N: usize>(list: &mut List, layout: &Layout, posed: Posed<'_, N>) {
     for link in posed.mechanism.link_ids() {
         let joints = posed.mechanism.points_of(link).iter();

@@ -47,7 +47,6 @@ mod tests {
         assert_eq!(around([].into_iter()), [-1.0, -1.0, 1.0, 1.0]);
     }
 
-    /// A square from 0 to 2 that may grow by 1 on each side.
     #[test]
     fn a_rectangle_grows_up_to_a_limit() {
         for (place, expected) in [

@@ -6,7 +6,7 @@ use super::names::Names;
 use crate::annotations::GivenPosition;
 use crate::list::{List, Look, Role};
 
-/// Given positions, each with the index of its label, a number, in the list of names.
+/// Given positions, each with the index of its number in the list of names.
 #[derive(Clone, Debug)]
 pub(super) struct Given(Vec<(GivenPosition, usize)>);
 

@@ -75,8 +75,8 @@ impl Layout {
         layout
     }
 
-    /// Returns a link's corners: one of a bare wheel or block, two of a bar, three or more of a plate, none of a link
-    /// that is fixed to another and has no points of its own.
+    /// Returns the corners of a link: one for a bare wheel or block, two for a bar, three or more for a plate, none for
+    /// a link that is fixed to another and has no points of its own.
     fn outlined(&self, home: Posed<'_, 1>, link: LinkId) -> Vec<Point> {
         let mechanism = home.mechanism;
         let own = mechanism.points_of(link).iter();
@@ -167,7 +167,8 @@ impl Layout {
         self.is_joint(point) && !self.moves(point)
     }
 
-    /// Returns the size of a fixed pivot's support, symbol units, smaller under a wheel's shaft; none for other points.
+    /// Returns the size of the support of a fixed pivot, in symbol units; it is smaller under the shaft of a wheel.
+    /// None for other points.
     pub(super) fn support(&self, point: PointId) -> Option<f64> {
         let fixed = !self.moves(point);
         let of_links = self.is_joint(point).then_some(1.5);

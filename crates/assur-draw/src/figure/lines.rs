@@ -16,7 +16,8 @@ use crate::list::{List, Look, Role};
 const MAX_DISTANCE: f64 = 4.0;
 /// Length by which a line extends beyond the centres that define it, in symbol units.
 const BEYOND: f64 = 6.0;
-/// Maximum number of bodies for which all centres are named. With more bodies, only centres relative to the frame are.
+/// Maximum number of bodies for which all centres are drawn. With more bodies, only centres relative to the frame are
+/// drawn.
 const MAX_NAMED: usize = 12;
 
 /// Choice of lines.

@@ -15,7 +15,6 @@ impl Names {
         Self(mechanism.points().map(str::to_owned).collect())
     }
 
-    /// Returns the name of a point.
     pub(super) fn of(&self, point: PointId) -> &str {
         &self.0[point.index()]
     }

@@ -26,7 +26,6 @@ const AT_SUPPORT: [f64; 2] = [2.3, -2.6];
 /// Offset of a number from its anchor beside a support, in text heights.
 const BESIDE_SUPPORT: [f64; 2] = [0.8, 0.0];
 
-/// A number of a link.
 #[derive(Clone, Debug)]
 pub(super) struct Number {
     link: LinkOrFrame,
@@ -39,7 +38,7 @@ pub(super) struct Number {
 enum Place {
     /// On the link, in a circle.
     On(Point),
-    /// On the driver, in a circle between these points, beyond the arc of the angle if the bar is long enough.
+    /// On the driver, in a circle between these points, beyond the arc of the input angle if the bar is long enough.
     Driving([Point; 2]),
     /// Beside the pin of a block or wheel.
     Beside(Point),

@@ -51,7 +51,6 @@ pub(super) struct Overlaid {
     scales: Option<Scales>,
 }
 
-/// The arc of the input angle.
 #[derive(Clone, Debug)]
 struct InputArc {
     link: LinkId,

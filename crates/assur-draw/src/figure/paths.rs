@@ -39,7 +39,6 @@ pub(super) type Run = Vec<(f64, Pose<1>)>;
 pub(super) enum Path {
     /// A circle with centre and radius.
     Circle(Point, f64),
-    /// A polyline.
     Line(Vec<Point>),
 }
 

@@ -21,7 +21,6 @@ const CLEAR_SHARE: f64 = 0.04;
 /// Colours for further coordinates or distances of the same kind, such as `C.x` after `B.x`.
 const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
 
-/// Returns the kind of a quantity.
 fn kind_of(quantity: &Quantity) -> Kind {
     if quantity.is_angle() {
         Kind::Angle

@@ -5,7 +5,6 @@ use assur::mechanism::{LinkId, LinkOrFrame, Mechanism, PointId, Pose};
 
 use super::layout::turned;
 
-/// A mechanism in one of its poses.
 #[derive(Clone, Copy)]
 pub(super) struct Posed<'a, const N: usize> {
     pub(super) mechanism: &'a Mechanism,
@@ -13,12 +12,10 @@ pub(super) struct Posed<'a, const N: usize> {
 }
 
 impl<const N: usize> Posed<'_, N> {
-    /// Returns the position of a point.
     pub(super) fn place(self, point: PointId) -> Point {
         self.mechanism.place(self.pose, point).place()
     }
 
-    /// Returns the angle of a link.
     pub(super) fn angle(self, link: LinkId) -> f64 {
         self.mechanism.angle(self.pose, link).value()
     }

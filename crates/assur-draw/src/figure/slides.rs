@@ -23,8 +23,8 @@ const BESIDE: f64 = 3.4;
 const WALL: f64 = 0.15;
 /// Number of poses from one examined pose to the next, in the search for the outer side of a guide.
 const LOOKED_AT: usize = 16;
-/// Threshold above which a mechanism counts as lying below a line: the mean offset of its joints from the line over the
-/// motion, downwards positive, divided by their mean distance from the line's start.
+/// Threshold above which a mechanism counts as lying below a line. It applies to the mean offset of the joints below
+/// the line over the motion, divided by their mean distance from the start of the line.
 const ONE_SIDED: f64 = 0.3;
 
 /// A prismatic pair as it is drawn.
@@ -199,7 +199,8 @@ impl Guide {
         self.way == Way::Slot && self.on == Some(link)
     }
 
-    /// Draws a guide other than a slot: a line of the frame with hatching on its outer side, or a rod on a link.
+    /// Draws a guide other than a slot: a line or a channel of the frame with hatching on the outer side, or a rod on a
+    /// link.
     pub(super) fn draw_line(&self, list: &mut List, u: f64) {
         let ends = self.drawn(u);
         list.body(layout::number(self.on));

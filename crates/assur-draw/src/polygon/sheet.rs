@@ -16,9 +16,10 @@ const POSES: Sampling = Sampling {
 /// Limit of a polygon's size, relative to the median size, in a motion without dead points. Larger polygons are left
 /// out when the size of the sheet is chosen.
 const MAX_SIZE: f64 = 10.0;
-/// As [`MAX_SIZE`], in a motion with dead points, near which vectors grow without bound.
+/// The same limit in a motion with dead points, near which vectors grow without bound.
 const MOST_OF_DEAD: f64 = 3.0;
-/// Least distance of the pole from the sheet's edges, as a share of the size of all usual polygons together.
+/// Least distance of the pole from the sheet's edges, as a share of the size of the rectangle around the polygons that
+/// are not left out.
 const EDGE: f64 = 0.1;
 /// Size of a polygon, relative to the sheet, up to which its scale is not reduced. Between sampled poses some polygons
 /// slightly exceed the sheet.
@@ -153,7 +154,6 @@ mod tests {
         poses.map(polygon).collect()
     }
 
-    /// If the crank turns fully, there is one scale: the longest vector fills much of the sheet, which holds the pole.
     #[test]
     fn a_turning_crank_has_one_scale() {
         let motion = four_bar([1.0, 3.0, 3.0]);

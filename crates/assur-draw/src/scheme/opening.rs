@@ -13,7 +13,6 @@ const MAX_ROTATION: f64 = 0.45;
 /// Translation in a pair that counts as much as a turn of one radian, relative to the size of the drawing.
 const LEVER: f64 = 0.3;
 
-/// A displacement in space.
 pub(super) type Displacement = Isometry3<f64>;
 
 /// A chain with cuts; `left` lists, for each pair, the links that the pair still joins.
@@ -26,7 +25,7 @@ pub(super) struct Chain<'a> {
 }
 
 /// Last step of the path from the ground to a link: the pair, and the link before it. None for the ground and for a
-/// link that is not connected to it.
+/// link that is not connected to the ground.
 type Reached = Option<(usize, usize)>;
 
 impl<'a> Chain<'a> {
@@ -187,8 +186,8 @@ enum Small {
 }
 
 impl Small {
-    /// Selects one motion of a pair for opening a cut. If the kind of pair leaves its direction open, the motion moves
-    /// the point `at` farthest in the direction `away`.
+    /// Selects one motion of a pair for opening a cut. If the kind of pair does not fix the direction of the motion,
+    /// the direction is chosen that moves the point `at` farthest in the direction `away`.
     fn of(pair: &Pair, here: Point3, at: Point3, away: Vector3, size: f64) -> Self {
         let axis = pair.axis.unwrap_or_else(Vector3::z);
         let best = || {

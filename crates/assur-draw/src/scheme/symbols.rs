@@ -66,7 +66,6 @@ impl<'a> Pen<'a> {
         self.projection.place(self.at) + (along_it * along + left * across) * self.unit
     }
 
-    /// Whether the axis is seen end on.
     fn end_on(&self) -> bool {
         self.projection.direction(self.frame[0]).norm() < END_ON
     }
@@ -107,7 +106,6 @@ impl<'a> Pen<'a> {
         self.list.polyline(self.role, Look::Line, &arc);
     }
 
-    /// Draws the symbol of a pair.
     pub(super) fn draw(&mut self, kind: PairKind) {
         match kind {
             PairKind::Revolute if self.end_on() => self.circle(Look::Hollow, 0.0, 1.2),

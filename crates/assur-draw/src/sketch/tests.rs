@@ -58,8 +58,6 @@ fn a_sheet_has_room_for_its_unit() {
     assert_eq!(bounds, [-20.0, -30.0, 220.0, 130.0]);
 }
 
-/// A carrier with a wheel at either end, one of them in a ring. Each wheel is found on its disc, the ring only on its
-/// rim; the link found on the bar is the carrier.
 #[test]
 fn wheels_are_found_by_their_discs_and_a_ring_by_its_rim() {
     let mut draft = LinkageSpec::default()

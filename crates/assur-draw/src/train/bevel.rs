@@ -232,7 +232,6 @@ impl Bevel {
         ([sun, ring - PI * p2 / p4], satellite)
     }
 
-    /// Draws the differential in a pose.
     pub(super) fn draw(&self, list: &mut List, pose: &TrainPose) {
         let carrier = pose.angles[Body::Carrier.index()];
         let ([sun, ring], satellite) = self.mounted(pose);

@@ -11,7 +11,7 @@ use super::wheel::polar;
 /// The radius of the hub.
 const HUB: f64 = 0.16;
 
-/// The outlines of a member about the origin, rotated through an angle. Any two outlines are separate or nested.
+/// The outlines of a member about the origin, rotated through an angle, to be filled by the even-odd rule.
 pub(super) fn outlines(member: WorkingMember, radius: f64, turned: f64) -> Vec<Vec<Point>> {
     let mut loops = match member {
         WorkingMember::Fan => around(5, &curved(&FAN)),
@@ -82,7 +82,7 @@ const PROPELLER: Corners<8> = [
     [0.15, 0.05],
 ];
 
-/// `count` copies of an outline, evenly spaced around the centre, and a hub that does not touch them.
+/// `count` copies of an outline, evenly spaced around the centre, and a hub.
 fn around(count: usize, corners: &[[f64; 2]]) -> Vec<Vec<Point>> {
     let turned = |k: usize| {
         let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();

@@ -31,7 +31,6 @@ const HALF: f64 = 50.0;
 /// Distances of the inner and the outer edge of the hatched ground from the wheels, in units.
 const GROUND: [f64; 2] = [1.6, 4.4];
 
-/// A planar differential.
 #[derive(Clone, Debug)]
 pub(super) struct Planar {
     layout: Layout,

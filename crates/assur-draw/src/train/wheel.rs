@@ -61,7 +61,7 @@ impl Wheel {
         }
     }
 
-    /// The radius of the backs of the plates, or of the roots of the teeth.
+    /// The radius of the backs of the plates. For a wheel with teeth it is close to that of the roots.
     pub(super) fn back(&self) -> f64 {
         let radius = self.radius();
         let height = (PLATE.0 * self.module).min(PLATE.1 * radius);
@@ -137,7 +137,6 @@ impl Wheel {
     }
 }
 
-/// The point with these polar coordinates.
 pub(super) fn polar(radius: f64, angle: f64) -> Point {
     let (sin, cos) = angle.sin_cos();
     Point::new(radius * cos, radius * sin)

@@ -18,7 +18,7 @@ pub(super) struct Conversion<'a> {
     pub(super) bars: Vec<Option<usize>>,
 }
 
-/// The mechanism of a file.
+/// Converts the parts of a file to a sketch.
 pub(super) fn sketch(parts: &Parts) -> Sketch {
     let mut conversion = Conversion {
         parts,
@@ -92,7 +92,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Adds a bar for each wheel and for each link that is not an actuator.
+    /// Adds a bar for each wheel, and for each link with two or more joints that is not an actuator.
     fn links(&mut self) {
         for (k, link) in self.parts.links.iter().enumerate() {
             let joints: Vec<usize> = link
@@ -239,7 +239,7 @@ impl Conversion<'_> {
         point
     }
 
-    /// At each input connector, makes one link the crank and fixes the other links to it.
+    /// Makes one link at each anchored input connector the crank, and fixes the other links there to the crank.
     fn cranks(&mut self) {
         for (joint, connector) in self
             .parts

@@ -25,7 +25,7 @@ impl<'a> Tag<'a> {
         self.text(name) == "true"
     }
 
-    /// Value of an attribute as a number; none if the attribute is absent.
+    /// Value of an attribute as a number; none if the attribute is absent or empty.
     ///
     /// # Errors
     /// A value that is not a number.
@@ -33,7 +33,7 @@ impl<'a> Tag<'a> {
         self.value(name, crate::number)
     }
 
-    /// Value of an attribute as a whole number; none if the attribute is absent.
+    /// Value of an attribute as a whole number; none if the attribute is absent or empty.
     ///
     /// # Errors
     /// A value that is not a whole number.
@@ -77,7 +77,7 @@ impl<'a> Tag<'a> {
 /// Parses a text and returns its outermost tag.
 ///
 /// # Errors
-/// The line of the first tag that does not end or is out of place.
+/// The line of the first tag that is malformed, does not end or is out of place.
 pub(super) fn parse(text: &str) -> Result<Tag<'_>, ImportProblem> {
     let broken = |rest: &str| {
         let line = 1 + text[..text.len() - rest.len()].matches('\n').count();

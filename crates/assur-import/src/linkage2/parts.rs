@@ -73,8 +73,10 @@ pub(super) struct Parts {
 }
 
 impl Parts {
+    /// Reads the parts of a file.
+    ///
     /// # Errors
-    /// Numbers that are invalid or out of range; two connectors with the same number; too many parts.
+    /// Numbers that are missing, invalid or out of range; two connectors with the same number; too many parts.
     pub(super) fn read(root: &Tag<'_>) -> Result<Self, ImportProblem> {
         let program = root.all("program").next();
         let inches =

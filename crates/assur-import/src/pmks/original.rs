@@ -1,7 +1,8 @@
-//! URLs of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>): `?set=s50&mech=ground,input,R,0,0,0,tfft|…`.
-//! A URL lists only joints. A joint has the names of its links, a kind (R, P, RP), coordinates, the direction of its
-//! slide in degrees, and four letters. The letters state whether the joint's position, velocity and acceleration are
-//! shown and whether it is driven. The first link of a sliding pair has the slot, the second the block or pin.
+//! URLs of the first PMKS (Silverlight, <https://designengrlab.github.io/PMKS>):
+//! `?set=s50&mech=ground,input,R,0,0,0,tfft|…`. A URL lists only joints. A joint has the names of its links, a kind (R,
+//! P, RP), coordinates, the direction of its slide in degrees, and four letters. The letters state whether the joint's
+//! position, velocity and acceleration are shown and whether it is driven. The first link of a sliding pair has the
+//! slot, the second the block or pin.
 
 use std::f64::consts::TAU;
 
@@ -53,7 +54,7 @@ fn parameter<'a>(query: &'a str, name: &str) -> Option<&'a str> {
 /// Reads the mechanism that a query describes.
 ///
 /// # Errors
-/// A joint that cannot be read, such as a mesh of gears; too many parts.
+/// A joint that cannot be read, such as a mesh of gears; an invalid speed; too many parts.
 pub(super) fn sketch(query: &str, source: String) -> Result<Sketch, ImportProblem> {
     let joints = decoded(parameter(query, JOINTS).unwrap_or_default(), b"");
     let lines = joints
@@ -188,7 +189,6 @@ impl<'a> Reading<'a> {
         }))
     }
 
-    /// Puts a joint on a body.
     fn put(&mut self, joint: usize, on: Body) {
         match on {
             Body::Frame => self.sketch.joints[joint].fixed = true,
@@ -246,7 +246,8 @@ impl<'a> Reading<'a> {
         slides
     }
 
-    /// Adds the driver: the last joint marked as driven or else, as in PMKS, the first hinge or slide of two links.
+    /// Adds the driver: the last joint marked as driven or else, as in PMKS, the first hinge or slide of two or more
+    /// links.
     fn drive(&mut self, rows: &[Row<'a>], slides: &[Option<usize>], rpm: f64) {
         let usual = |row: &Row<'_>| row.links.len() > 1 && row.kind != Kind::PinInSlot;
         let told = rows.iter().rposition(|row| row.driven);

@@ -233,8 +233,8 @@ impl Plan {
 
     /// Welds the links at each welded joint into one body. If two or more parts of one link meet at the joint, only
     /// those parts, already one body, are taken as welded, and the other links stay hinged. At a grounded joint the
-    /// welded links turn about it as one body, like a bell crank; but if only one link meets there, it is welded to the
-    /// ground.
+    /// welded links turn about the joint as one body, like a bell crank; but if only one link meets there, it is welded
+    /// to the ground.
     fn weld(&self, sketch: &mut Sketch, bars: &[(usize, &Member)]) {
         for (k, pin) in self.pins.iter().enumerate().filter(|(_, pin)| pin.welded) {
             let here = bars

@@ -1,6 +1,7 @@
 //! The second form of a PMKS+ URL: `?2P.Ay.K,0.1011.MA,A,0,0,0.…`. Dots separate sections, commas separate fields.
-//! Numbers are in base 64, in thousandths, with a leading 0 if negative. Booleans are the bits of
-//! one digit. The last character encodes the length of the text before it, modulo 62.
+//! Numbers are in base 64, with a leading 0 if negative; decimals are in thousandths. Booleans are the bits of a
+//! number: one digit in a joint or force, up to two in the settings. The last character encodes the length of the text
+//! before it, modulo 62.
 
 use assur_file::LengthUnit;
 

@@ -22,7 +22,7 @@ pub(super) fn relations(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// Equations (1): both sides of each.
+/// Both sides of each equation (1). The last, for LH, is not printed.
 fn first_order(places: &Places) -> Vec<Relation> {
     let Places {
         b,
@@ -130,8 +130,8 @@ fn first_order(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// Equations (2): terms with second derivatives on the left, squares of first derivatives on the right. The squares for
-/// GH and CD are printed with one prime too many.
+/// Equations (2): terms with second derivatives on the left, squares of first derivatives on the right. In the squares
+/// for GH and CD, second derivatives are printed instead of first ones. The last equation, for LH, is not printed.
 fn second_order(places: &Places) -> Vec<Relation> {
     let Places {
         b,

@@ -67,8 +67,8 @@ impl First {
         }
     }
 
-    /// Determinants of Cramer's rule for x′_G and y′_G, as named in the paper: of the system, det(x′_G, y′_G), then of
-    /// the two numerators, det(x′_G) and det(y′_G).
+    /// Determinants of Cramer's rule for x′_G and y′_G, named as in the paper: det(x′_G, y′_G) of the system, and the
+    /// numerators det(x′_G) and det(y′_G).
     fn determinants(&self) -> [f64; 3] {
         let [_, b1, b2, b3, b4, b5] = self.b;
         [b1 * b2 - b3 * b4, b5 * b2, -b3 * b5]

@@ -30,7 +30,8 @@ pub struct CombinedMethod {
 }
 
 impl CombinedMethod {
-    /// Finds the paper's linkage in a mechanism; none if there are other links, or if the driver is not the crank AB.
+    /// The paper's linkage, if the mechanism has exactly its links, pairs and frame, and the crank AB on the frame as
+    /// its only driver.
     pub fn of(mechanism: &Mechanism) -> Option<Self> {
         let spec = mechanism.spec();
         let sorted = |names: &[String]| {
@@ -55,9 +56,8 @@ impl CombinedMethod {
         Some(Self { points })
     }
 
-    /// The paper's relations in a pose of the mechanism, in the order of the paper. Lengths are in the unit of the
-    /// drawing, derivatives with respect to the crank angle. Relations whose corrected value is not finite are left
-    /// out.
+    /// The paper's relations in a pose of the mechanism. Lengths are in the unit of the drawing, derivatives with
+    /// respect to the crank angle. Relations whose value is not finite are left out.
     pub fn relations(&self, mechanism: &Mechanism, pose: &Pose<3>) -> Vec<Relation> {
         let places = Places::new(self.points.map(|point| mechanism.place(pose, point)));
         let first = First::new(&places);

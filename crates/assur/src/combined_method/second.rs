@@ -42,7 +42,7 @@ impl Second {
         Self { d }
     }
 
-    /// Determinants of Cramer's rule for G: of the system, det(x″_G, y″_G), then of the two numerators, det(x″_G) and
+    /// Determinants of Cramer's rule for x″_G and y″_G: det(x″_G, y″_G) of the system, and the numerators det(x″_G) and
     /// det(y″_G).
     fn determinants(&self, first: &First) -> [f64; 3] {
         let [_, b1, b2, b3, b4, _] = first.b;

@@ -52,7 +52,7 @@ pub(super) fn rows(places: &Places, first: &First, second: &Second) -> Vec<Relat
     named.collect()
 }
 
-/// Coefficients of x and y in the scalar product of `way` with ratio·(x + iy), with (x, y) the analogue of a point.
+/// Coefficients of x and y in the scalar product of `way` and the vector of the complex number ratio·(x + iy).
 fn against(ratio: Vector, way: Vector) -> Vector {
     product(conjugate(ratio), way)
 }

@@ -24,8 +24,7 @@ pub enum Defect {
         /// Sum of the periods of sun and ring, p₁ + p₄.
         periods: u32,
     },
-    /// The shaft is to turn at a multiple of its own speed, or of the speed of a shaft that is itself driven at a
-    /// multiple of another's.
+    /// The drive of the shaft is tied to the shaft itself, or to a shaft whose own drive is tied.
     Tie {
         /// The shaft.
         shaft: Shaft,
@@ -88,12 +87,11 @@ const RATIO: f64 = 1e3;
 /// Maximum angle at the start, radians.
 const ANGLE: f64 = 1e6;
 
-/// The defects found so far.
 #[derive(Debug, Default)]
 pub(super) struct Defects(pub(super) Vec<Defect>);
 
 impl Defects {
-    /// Finds all defects of single parameters, of the numbers of plates together, and of speeds in a fixed ratio.
+    /// Finds every defect of a single parameter, of the numbers of plates and satellites together, and of tied drives.
     pub(super) fn of(parameters: &Parameters) -> Self {
         let mut defects = Self::default();
         defects.plates(parameters);

@@ -15,7 +15,8 @@ impl Differential {
     /// Makes the differential with these parameters.
     ///
     /// # Errors
-    /// All defects of the parameters; if there are none, [`Defect::TooStiff`] if it applies.
+    /// Every defect of the parameters. If there is none but the motion would be too fast to integrate,
+    /// [`Defect::TooStiff`].
     pub fn new(parameters: &Parameters) -> Result<Self, Vec<Defect>> {
         let defects = Defects::of(parameters).0;
         if !defects.is_empty() {

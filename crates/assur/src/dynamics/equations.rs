@@ -1,14 +1,13 @@
 //! The equations of motion: torques, accelerations and powers.
 //!
-//! All arrays of bodies are in the order of [`Body::ALL`]. Inertia, damping and torques of the satellites are totals
-//! over all k of them.
+//! Arrays over the bodies are in the order of [`Body::ALL`]. Inertia, damping and torques of the satellites are totals
+//! over all k satellites.
 
 use super::differential::following;
 use super::gauss::{Moment, N};
 use super::{Load, Mesh, Parameters, Profile};
 use crate::angle::{Angle, combination};
 
-/// Coefficients of the equations.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Equations {
     pub(super) meshes: [Field; 2],
@@ -54,7 +53,7 @@ pub(super) struct Field {
     pub(super) damping: f64,
 }
 
-/// Values that stay fixed during a step: those of the drives, and the phases at the start of the step.
+/// Data of a step: torques and accelerations of the drives, and the phases at the start of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Driving {
     /// Torque of the drive of each body at the start of the step, and its rate of change.
@@ -102,7 +101,6 @@ impl Field {
 }
 
 impl Equations {
-    /// Sets up the equations for valid parameters.
     pub(super) fn new(parameters: &Parameters) -> Self {
         let (plates, satellites) = (&parameters.plates, &parameters.satellites);
         let [p1, p2, p4] = [plates.sun, plates.satellite, plates.ring]
@@ -156,7 +154,6 @@ impl Equations {
         &self.meshes[mesh as usize]
     }
 
-    /// True if a drive acts on the body.
     pub(super) fn has_drive(&self, body: usize) -> bool {
         use Following::{Speed, Torques};
         matches!(self.following[body], Torques(Some(_)) | Speed(_))
@@ -217,12 +214,10 @@ impl Equations {
         torques
     }
 
-    /// The torque of a load on its body.
     pub(super) fn load_torque(&self, body: usize, speed: f64) -> f64 {
         self.count[body] * self.load[body].torque(speed)
     }
 
-    /// Accelerations φ̈ of all bodies.
     pub(super) fn accelerations(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
         let mut torques = self.torques(driving, moment);
         for (body, follows) in self.following.iter().enumerate() {
@@ -279,7 +274,6 @@ impl Equations {
         })
     }
 
-    /// Powers of drives, damping and loads.
     pub(super) fn powers(
         &self,
         driving: &Driving,

@@ -4,7 +4,7 @@
 //! (Hairer, Lubich, Wanner: *Geometric Numerical Integration*, theorem II.1.5 on the order, IV.2.2 on quadratic
 //! invariants, VI.4.2 on the symplectic map). It is A-stable, and all its stages are inside the step. By contrast,
 //! compositions of explicit maps with an order above 2 have backward steps, which are unstable with damping. The stages
-//! are found by fixed-point iteration. Each iteration multiplies the error by about (hΩ)²/12, with h the length of the
+//! are found by fixed-point iteration. Each iteration multiplies the error by about (hΩ)²/20, with h the length of the
 //! step and Ω the greatest natural frequency.
 
 use crate::tolerance;
@@ -71,7 +71,6 @@ pub(super) struct Moment {
     pub(super) rates: [f64; N],
 }
 
-/// Result of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
     /// Change of the coordinates.

@@ -12,13 +12,14 @@ pub const TICKS_PER_SECOND: u32 = 1024;
 /// Duration of a tick, seconds.
 pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 
-/// Maximum product of a step's length and the fastest rate of the state. Below it the method has its order of accuracy.
+/// Maximum product of the length of a step and the fastest rate in the state. Up to this product the method has its
+/// order of accuracy.
 const STEP: f64 = 0.25;
 
 /// Maximum number of halvings of a tick.
 const MAX_HALVINGS: u32 = 12;
 
-/// Maximum product of the length of a tick and the fastest rate of the state; beyond it the run halts.
+/// Maximum product of the length of a tick and the fastest rate in the state; beyond it the run halts.
 pub(super) const QUICKEST: f64 = STEP * (1 << MAX_HALVINGS) as f64;
 
 /// Motion of a differential from its start.
@@ -54,7 +55,6 @@ pub enum Halt {
     },
 }
 
-/// The state of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct State {
     pub(super) ticks: u64,
@@ -145,7 +145,8 @@ impl Run {
         self.open(self.state.slips.map(|slip| slip.periods));
     }
 
-    /// Sets the prescribed speeds, starts a new energy balance, and sets the numbers of slipped periods.
+    /// Sets the prescribed speeds and starts a new energy balance. Sets the origin from which slipped periods are
+    /// counted, such that their numbers are now `slipped`.
     fn open(&mut self, slipped: [i64; 2]) {
         let equations = &self.differential.equations;
         self.state.follow(equations, self.state.time());
@@ -222,7 +223,8 @@ impl State {
         Some(())
     }
 
-    /// Advances over an interval of time in equal steps, whose number depends on the state at its start.
+    /// Advances over an interval of time in equal steps. Their number depends on the state at the start of the
+    /// interval, and is doubled as long as a step fails.
     fn span(&mut self, equations: &Equations, from: f64, to: f64) -> Option<()> {
         let tick = TICK * equations.rate(&self.angles, &self.speeds);
         if tick.is_nan() || tick > QUICKEST {

@@ -29,9 +29,9 @@ impl Stiffness {
 }
 
 impl Equations {
-    /// Contribution of each body to the acceleration of Σ n φ (n: `factors`) under a unit torque on that coordinate:
-    /// n²/J if the body moves under torques, otherwise 0. A body's n and moment of inertia J include those of the
-    /// bodies that follow it, referred to it.
+    /// Share of each body in the acceleration of the coordinate Σ nφ under a unit torque on this coordinate (n:
+    /// `factors`). It is n²/J if the body moves under torques, otherwise 0. Both n and the moment of inertia J include
+    /// those of the bodies that follow the body, referred to it.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {

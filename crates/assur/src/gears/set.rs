@@ -60,7 +60,7 @@ impl GearSet {
                 }
                 Err(found) => {
                     for reason in found.into_iter().map(|reason| of_wheel(reason, wheel)) {
-                        // A fault of the driver is found in every pair.
+                        // A fault of the driver or of the module is found in every pair, but listed once.
                         if !reasons.contains(&reason) {
                             reasons.push(reason);
                         }
@@ -198,7 +198,6 @@ mod tests {
 
     const SIXTY: [f64; 6] = [-40.0, 20.0, 80.0, 140.0, 200.0, 260.0];
 
-    /// The teeth of every driven wheel meet the gaps of the common driver.
     #[test]
     fn teeth_of_every_wheel_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

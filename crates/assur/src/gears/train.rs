@@ -232,7 +232,7 @@ impl Train {
     }
 
     /// The angle Σ between a satellite's axis and the central axis, radians; 0 in a planar train. In bevel trains the
-    /// pitch cones of sun and ring touch the satellite's on opposite sides, so cos Σ = (z₄ − z₁)/(2 z₂).
+    /// pitch cones of sun and ring touch that of the satellite on opposite sides, so cos Σ = (z₄ − z₁)/(2 z₂).
     pub fn inclination(&self) -> f64 {
         match self.kind {
             Kind::Planar | Kind::Stepped => 0.0,
@@ -294,7 +294,6 @@ fn planar_shafts([sun, ring]: [f64; 2]) -> Result<[u32; 2], Vec<TrainError>> {
     Ok([sun, ring])
 }
 
-/// Validates numbers of teeth.
 fn teeth<const N: usize>(members: [(Member, f64); N]) -> Result<[u32; N], Vec<TrainError>> {
     let mut reasons = Vec::new();
     let teeth = members.map(|(member, value)| {
@@ -341,8 +340,8 @@ mod tests {
         assert_eq!(weights, [40, -250, 210]);
     }
 
-    /// With the carrier held, a ring of 60 teeth turns three times slower than a sun of 20, and in the opposite sense;
-    /// the satellite turns by z₁/z₂ = 20/20.
+    /// With the carrier held, a ring of 60 teeth turns three times slower than a sun of 20, in the opposite sense. The
+    /// satellite turns at −z₁/z₂ = −1 times the speed of the sun.
     #[test]
     fn the_satellite_is_an_idler_if_the_carrier_is_held() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();

@@ -8,11 +8,11 @@ use crate::tolerance::NEGLIGIBLE;
 use crate::{Assembly, FourBar, Link, Offset, Pose, Unsolved, Vector};
 
 impl Mixer {
-    /// The paper's relations at a crank angle φ₁, radians, in the order of the paper. Lengths are in the unit of the
-    /// dimensions; derivatives are with respect to φ₁.
+    /// The paper's relations at a crank angle φ₁, radians. Lengths are in the unit of the dimensions; derivatives are
+    /// with respect to φ₁.
     ///
     /// # Errors
-    /// The loop is open at this angle, or a derivative is unbounded.
+    /// The angle is not finite, there is no pose at this angle, or a derivative is unbounded.
     pub fn relations(&self, crank: f64) -> Result<Vec<Relation>, Unsolved> {
         let pose = self.linkage.pose(self.assembly, crank)?;
         let mut all = self.triangles(&pose)?;
@@ -30,7 +30,8 @@ impl Mixer {
         let (sin, cos) = crank.sin_cos();
         let l5 = (l4 - l1 * cos).hypot(l1 * sin);
         let phi5 = (-l1 * sin).atan2(l4 - l1 * cos);
-        // With links in line the quotient of sines is 0/0. The test has a tolerance, because sin π rounds to nonzero.
+        // If the crank is in line with the frame, the quotient of sines is 0/0. The test has a tolerance, because sin π
+        // rounds to a nonzero number.
         let quotient = if sin.abs() > NEGLIGIBLE {
             -l1 * sin / phi5.sin()
         } else {
@@ -124,7 +125,6 @@ impl Mixer {
     }
 }
 
-/// Vector of a given length and direction.
 fn along(length: f64, angle: f64) -> Vector {
     Vector::new(angle.cos(), angle.sin()) * length
 }

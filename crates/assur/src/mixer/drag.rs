@@ -25,7 +25,7 @@ pub enum Dragged {
     Lengths {
         /// Lengths l₁ … l₄ of crank, coupler, rocker and frame.
         lengths: [f64; 4],
-        /// Assembly in which C is nearest to its required position; unchanged if there is no pose.
+        /// Assembly in which C is nearest to its required position; unchanged if the new lengths have no pose.
         assembly: Assembly,
     },
 }
@@ -122,7 +122,7 @@ mod tests {
         }
     }
 
-    /// C can be dragged to either side of BD, from either assembly and at any crank angle, even into a parallelogram.
+    /// The last target makes the four-bar a parallelogram.
     #[test]
     fn c_follows_to_either_side() {
         for start in Assembly::ALL {

@@ -1,5 +1,6 @@
 //! The reciprocating-rotational mixer: a crank-rocker whose rocker carries wheel 4. This wheel drives wheel 5, or
-//! several wheels around wheel 4 (Smelyagin and Prikhodko, fig. 1 and 4). The mixer moves as the linkage in `spec`.
+//! several wheels around wheel 4 (Smelyagin and Prikhodko, fig. 1 and 4). Its motion is that of the linkage made in
+//! `spec`.
 
 mod contours;
 mod drag;
@@ -87,10 +88,10 @@ pub struct Mixer {
 }
 
 impl Mixer {
-    /// The mixer with given dimensions.
+    /// Makes a mixer with these dimensions.
     ///
     /// # Errors
-    /// All invalid dimensions at once.
+    /// Every invalid dimension.
     pub fn new(dimensions: &Dimensions) -> Result<Self, Vec<Invalid>> {
         let linkage = FourBar::new(dimensions.lengths);
         let gears = GearSet::new(

@@ -8,11 +8,11 @@ use crate::motion::{Motion, Unjoinable};
 /// The reason why a mixer has no motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unmoved {
-    /// The mixer cannot be drawn.
+    /// No pose of the mixer can be drawn.
     Unsolved(Unsolved),
-    /// The specification of the mixer is not a mechanism.
+    /// The specification of the mixer has defects.
     Defects(Vec<Defect>),
-    /// The arcs of the mixer cannot be joined to one motion.
+    /// The arcs of the mixer cannot be joined into one motion.
     Unjoinable(Unjoinable),
 }
 
@@ -20,7 +20,7 @@ impl Mixer {
     /// The motion over all arcs of [`FourBar::cycle`](crate::FourBar::cycle), in the assembly of the mixer.
     ///
     /// # Errors
-    /// The reason why the mixer has no motion.
+    /// There is no pose to draw, the specification has defects, or the arcs cannot be joined.
     pub fn motion(&self) -> Result<Motion, Unmoved> {
         let mut motion = self.moved(&self.spec().map_err(Unmoved::Unsolved)?)?;
         let cycle = self.linkage.cycle();

@@ -29,13 +29,13 @@ impl Mixer {
         self.spec_on(cycle.arcs()[0])
     }
 
-    /// Specification drawn in the middle of an arc, or beside the middle if the pose of a kite is undetermined there.
+    /// Specification drawn in the middle of an arc. If the mixer has no pose there, as a kite may have none, it is
+    /// drawn a tenth of the arc before the middle.
     pub(super) fn spec_on(&self, [from, to]: [f64; 2]) -> Result<LinkageSpec, Unsolved> {
         let drawn = self.spec_at(0.5 * (from + to));
         drawn.or_else(|_| self.spec_at(0.6 * from + 0.4 * to))
     }
 
-    /// Specification drawn at a crank angle.
     fn spec_at(&self, crank: f64) -> Result<LinkageSpec, Unsolved> {
         let pose = self.linkage.pose::<1>(self.assembly, crank)?;
         let joints = self.linkage.joints(&pose).map(|joint| joint.place());
@@ -99,8 +99,8 @@ impl Mixer {
         Ok(spec.crank("crank"))
     }
 
-    /// Tracers of the specification for the traced points. The mixer measures a point of a wheel from the wheel's
-    /// middle tooth, which the mounting turns from the zero direction of the wheel.
+    /// Tracers of the specification for the traced points. In the linkage, the angle of a wheel is the angle of the
+    /// rocker times the ratio. The axes of the mixer's coordinates are turned from this angle by `mounting`.
     fn spec_tracers(&self) -> impl Iterator<Item = TracerSpec> {
         self.tracers().iter().enumerate().map(|(k, tracer)| {
             let at = Vector::new(tracer.x, tracer.y);

@@ -13,7 +13,7 @@ pub enum Carrier {
     Coupler,
     /// Rocker with wheel 4: origin D, x along DC.
     Rocker,
-    /// Peripheral wheel, counted from 0 (wheel 5): origin at its centre, x along its middle tooth.
+    /// Peripheral wheel, counted from 0 (wheel 5): origin at its centre, x along the tooth on its zero direction.
     Wheel(usize),
 }
 
@@ -33,7 +33,7 @@ impl Tracer {
     pub const MAX_COUNT: usize = 6;
 }
 
-/// Checks that traced points have valid coordinates and are on bodies of a mixer with `wheels` peripheral wheels.
+/// Checks the number, the bodies and the coordinates of traced points on a mixer with `wheels` peripheral wheels.
 pub(super) fn check(tracers: &[Tracer], wheels: usize) -> Result<(), Vec<Invalid>> {
     let mut reasons = Vec::new();
     if tracers.len() > Tracer::MAX_COUNT {
@@ -138,7 +138,6 @@ mod tests {
         }
     }
 
-    /// A tracer made from a position is at this position, and keeps its distance from the origin of its body.
     #[test]
     fn a_point_keeps_its_place_on_its_body() {
         let mixer = Mixer::new(&dimensions(Vec::new())).unwrap();
@@ -164,7 +163,6 @@ mod tests {
         }
     }
 
-    /// The middle of the coupler is its centre of mass, which is checked against the table of reference values.
     #[test]
     fn the_couplers_middle_is_its_centre() {
         let mixer = Mixer::new(&dimensions(Vec::new())).unwrap();

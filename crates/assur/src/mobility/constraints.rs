@@ -94,7 +94,7 @@ impl Constraints {
         (0..self.wrenches.len()).filter(bears).collect()
     }
 
-    /// The wrenches of a stressed pair, between its first link and each of its other links.
+    /// Wrenches that a stress exerts in a pair, between its first link and each of its other links.
     pub(super) fn wrenches_of(&self, stress: &[f64], pair: usize) -> Vec<Screw> {
         let wrenches = &self.wrenches[pair];
         let own = &stress[self.starts[pair]..self.starts[pair + 1]];
@@ -142,7 +142,6 @@ impl Constraints {
 }
 
 impl Space {
-    /// Indices of the components of a screw in this space.
     pub(super) fn components(self) -> &'static [usize] {
         match self {
             Self::Plane => &IN_PLANE,

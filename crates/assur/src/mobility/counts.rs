@@ -139,7 +139,6 @@ pub(super) mod tests {
         }
     }
 
-    /// A contour of n hinges has n − 3 freedoms in the plane and, by the count, three fewer in space.
     #[test]
     fn each_planar_loop_of_hinges_has_three_redundant_constraints() {
         for (count, mobility) in [(4, 1), (5, 2), (6, 3)] {

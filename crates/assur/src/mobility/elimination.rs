@@ -31,7 +31,6 @@ impl Front {
     }
 }
 
-/// A system after elimination.
 #[derive(Clone, Debug)]
 pub(super) struct Eliminated {
     columns: usize,

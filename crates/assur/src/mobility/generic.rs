@@ -36,7 +36,7 @@ impl Scheme {
     /// velocities possible in the drawn pose; then the pairs are closed again.
     ///
     /// # Errors
-    /// The data that the rank needs and the scheme lacks.
+    /// The scheme lacks data that the rank needs, or motions in the plane are wanted of a scheme that is not planar.
     pub fn generic(&self, space: Space) -> Result<Generic, NoRank> {
         let verdict = self.rank_report(space)?;
         let mut contacts: Vec<usize> = verdict
@@ -188,7 +188,6 @@ impl Scheme {
     }
 }
 
-/// A twist from its components in a space.
 fn twist(values: &[f64], space: Space) -> Screw {
     let mut twist = Screw::zeros();
     for (component, value) in space.components().iter().zip(values) {

@@ -80,7 +80,7 @@ impl Scheme {
     }
 
     /// For each link, true if it is in a contour or between two contours. Links with a single pair, which are the ends
-    /// of open chains, are removed until none are left.
+    /// of open chains, are removed until there are no more such links.
     fn between_others(&self) -> Vec<bool> {
         let mut between = vec![true; self.links().len()];
         loop {

@@ -71,7 +71,8 @@ impl PairKind {
         !matches!(self, Self::Spherical | Self::Class(_))
     }
 
-    /// True if more than two links can meet in the pair, with relative motions of the same kind for any two of them.
+    /// True if more than two links can meet in the pair, so that any two of these links have the same kind of relative
+    /// motion.
     pub fn joins_many(self) -> bool {
         matches!(
             self,

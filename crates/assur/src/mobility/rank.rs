@@ -65,7 +65,7 @@ impl Scheme {
     /// Mobility by rank in the drawn pose.
     ///
     /// # Errors
-    /// The data missing for the rank.
+    /// The scheme lacks data that the rank needs, or motions in the plane are wanted of a scheme that is not planar.
     pub fn rank_report(&self, space: Space) -> Result<RankReport, NoRank> {
         let forms = self.forms(space)?;
         let constraints = Constraints::new(self, &forms, space);
@@ -214,7 +214,8 @@ mod tests {
         }
     }
 
-    /// Three hinges in line hold a triangle twice along the line, and not across it: it moves for an instant.
+    /// With the hinges in line, one constraint along the line is redundant, and none acts across the line: the triangle
+    /// moves for an instant.
     #[test]
     fn a_flat_triangle_moves_for_an_instant() {
         let flat = [

@@ -6,9 +6,9 @@ use super::{PairKind, Scheme, Sections, Space};
 use crate::relation::Relation;
 
 impl Scheme {
-    /// The paper's relations between numbers of links, freedoms and constraints for this scheme, in the paper's order.
-    /// Relations of an open chain need `sections`. The number q of redundant constraints is based on the mobility W by
-    /// rank if places and axes of all pairs are known, otherwise on the counted W.
+    /// The paper's relations between numbers of links, freedoms and constraints for this scheme. Relations of an open
+    /// chain need `sections`. The number q of redundant constraints is based on the mobility W by rank if places and
+    /// axes of all pairs are known, otherwise on the counted W.
     pub fn relations(&self, sections: Option<&Sections>) -> Vec<Relation> {
         let counts = self.counts();
         let links = counts.links as isize;

@@ -55,7 +55,7 @@ impl Scheme {
     /// unchanged. Every replacement adds one freedom for each redundant constraint, so no replacement contains another.
     ///
     /// # Errors
-    /// The data that are missing for the rank of the constraints.
+    /// The scheme lacks data that the rank of the constraints needs.
     pub fn replacements(&self, most: usize) -> Result<Replacements, NoRank> {
         let forms = self.forms(Space::Whole)?;
         let constraints = Constraints::new(self, &forms, Space::Whole);

@@ -186,7 +186,6 @@ impl Scheme {
         pairs_of
     }
 
-    /// Centre and size of the scheme.
     pub(super) fn scale(&self) -> Scale {
         Scale::of(&self.pairs)
     }

@@ -169,7 +169,6 @@ pub(super) fn basis(screws: impl Iterator<Item = Screw>) -> Vec<Screw> {
 mod tests {
     use super::*;
 
-    /// The twists of a pair are independent, and so are its wrenches; the two are reciprocal and number six in all.
     #[test]
     fn reciprocal() {
         for kind in PairKind::forms(0.5) {
@@ -205,7 +204,6 @@ mod tests {
         }
     }
 
-    /// In the plane z = 0 a hinge and a slide have two constraints each, a contact of surfaces one, and a plane none.
     #[test]
     fn constraints_of_pairs_in_the_plane() {
         let (x, z) = (Vector3::x(), Vector3::z());
@@ -222,7 +220,6 @@ mod tests {
         }
     }
 
-    /// Three hinges with parallel axes in one plane have only two independent twists; with a fourth outside it, three.
     #[test]
     fn parallel_axes_in_a_plane_have_two_independent_twists() {
         let hinge = |x: f64, y: f64| {

@@ -194,7 +194,7 @@ impl Open {
         Ok(Self { links, left, near })
     }
 
-    /// Pairs of the shortest contour that is still closed, in order around the contour.
+    /// Pairs of the shortest contour that is still closed, in order around the contour; None if every contour is open.
     fn closed(&self) -> Option<Vec<usize>> {
         let ends: usize = self.left.iter().map(Vec::len).sum();
         let mut been = vec![None; self.near.len()];
@@ -301,7 +301,6 @@ mod tests {
         assert!(matches!(closed, Err(CutError::StillClosed { pairs }) if pairs.len() == 4));
     }
 
-    /// A contour of n hinges opened at one has n − 1 freedoms less 2 constraints in the plane, whatever n.
     #[test]
     fn a_contour_loses_a_hinge_and_its_constraints() {
         for count in 4..8_usize {
@@ -314,7 +313,7 @@ mod tests {
         }
     }
 
-    /// Seven hinges in space: 6 freedoms less 5 constraints, and Σ i·P_i − λ = 7 − 6. Four of them: 3 − 5.
+    /// Seven hinges in space: 6 freedoms less 5 constraints, and Σ i·P_i − λ = 7 − 6. Four hinges: 3 − 5.
     #[test]
     fn seven_hinges_close_in_space_with_one_freedom() {
         for (count, mobility) in [(7, 1), (4, -2)] {

@@ -26,7 +26,6 @@ pub(super) struct Equations {
     pub(super) ways: Vec<Way>,
 }
 
-/// Node of a point on its own body or bodies.
 fn node(point: PointId) -> Node {
     Node { point, on: None }
 }
@@ -39,7 +38,6 @@ fn on_body(body: BodyId, point: PointId) -> Node {
     }
 }
 
-/// Construction by rotation of a body about a point.
 fn turning(about: PointId, body: BodyId) -> Way {
     Way {
         from: node(about),
@@ -67,8 +65,8 @@ fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     })
 }
 
-/// Equations of a step; none for a group that is neither a dyad nor an epicyclic train, or for a rotating body without
-/// points other than its hinge.
+/// Equations of a step. There are none for a group that is neither a dyad nor an epicyclic train, for a body whose only
+/// point is its hinge, and for a slider or a PRP dyad whose track has no joint.
 pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     match &mechanism.steps()[step] {
         Step::Epicyclic(geared) => {

@@ -118,7 +118,7 @@ pub struct Polygon {
 }
 
 impl Mechanism {
-    /// Polygon of a pose for a speed and acceleration of the input. The pose must have the derivatives of `order`.
+    /// Polygon of a pose for a speed and acceleration of the input. The pose must have derivatives up to this order.
     pub fn polygon<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -143,7 +143,7 @@ mod tests {
         let pose = motion.pose::<3>(90_f64.to_radians()).unwrap();
         let polygon = mechanism.polygon(&pose, order, input);
         let mut legs = polygon.stages.iter().flat_map(|stage| &stage.routes);
-        // Every route leads from a point to the target by its legs.
+        // The legs of every route are joined end to end.
         assert!(legs.all(|route| {
             route
                 .legs
@@ -167,7 +167,6 @@ mod tests {
         }
     }
 
-    /// The rod translates for an instant: B and C have one velocity.
     #[test]
     fn velocities_of_a_rod_that_translates_are_equal() {
         check(
@@ -176,7 +175,7 @@ mod tests {
         );
     }
 
-    /// aⁿ of B is 3 towards A. With ω = 0 of the rod, a_CB = (9/4, 3) is at a right angle to the rod (4, −3).
+    /// aⁿ of B is 3 towards A. The rod has ω = 0, so a_CB = (9/4, 3) is at a right angle to the rod, (4, −3).
     #[test]
     fn accelerations_with_the_crank_upright() {
         let found = points(Order::Acceleration, InputRate::ANALOGUES);
@@ -184,7 +183,7 @@ mod tests {
         assert!((found[1] - found[0]).dot(&Vector::new(4.0, -3.0)).abs() < 1e-13);
     }
 
-    /// At ω₁ = 10 and ε₁ = 7 velocities are ten times as large, and accelerations 100 x″ + 7 x′.
+    /// At ω₁ = 10 and ε₁ = 7 velocities are 10 x′, accelerations 100 x″ + 7 x′.
     #[test]
     fn speed_and_acceleration_of_the_input_scale_the_polygons() {
         let input = InputRate {

@@ -35,7 +35,6 @@ fn field(against: &Against, [width, height]: [u32; 2]) -> Option<Field> {
     against.field((width * fine, height * fine), 1.0)
 }
 
-/// A circle remains one on a wide field, in its middle, and every point has its input.
 #[test]
 fn lengths_have_one_scale() {
     for order in [0, 1, 2] {
@@ -58,7 +57,6 @@ fn lengths_have_one_scale() {
     }
 }
 
-/// Quantities other than lengths, and different derivatives, fill the field.
 #[test]
 fn other_axes_fill_the_field() {
     let mut against = circle(0);
@@ -75,7 +73,6 @@ fn other_axes_fill_the_field() {
     assert_eq!(field(&against, [70, 340]), None);
 }
 
-/// A curve is cut where it leaves the field, and goes on where it enters the field again.
 #[test]
 fn curves_are_cut_where_they_leave() {
     let spans = [[0.0, 10.0], [0.0, 10.0]];

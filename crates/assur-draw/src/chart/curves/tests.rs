@@ -66,7 +66,6 @@ fn differences_are_of_the_samples() {
     );
 }
 
-/// Every curve is a rate: q, ω₁ q′, ω₁² q″ + ε₁ q′.
 #[test]
 fn curves_are_rates() {
     let input = InputRate {
@@ -104,7 +103,6 @@ fn curves_are_cut_at_the_bounds() {
     assert_eq!(parts, expected);
 }
 
-/// Of a dwell, only the ends and the curve's extremes are marked; elsewhere, all zeros and extrema are.
 #[test]
 fn a_dwell_is_marked_at_its_ends() {
     let mark = |(crank, value): (f64, f64)| Mark {

@@ -8,7 +8,8 @@ use super::*;
 
 /// An arm with a sun on the frame and a planet in a ring, and a train beside it.
 fn draft() -> LinkageSpec {
-    // Module of the mesh of the ring with the second wheel; the third wheel is placed to have the same.
+    // Module of the mesh of the ring with the second wheel. The third wheel is placed such that its mesh has the same
+    // module.
     let module = 2.0 * 10.0_f64.sqrt() / 94.0;
     let mut draft = LinkageSpec::default()
         .point("O", 0.0, 0.0)
@@ -32,7 +33,7 @@ fn draft() -> LinkageSpec {
     sun.fixed_to = Some("frame".to_owned());
     draft.links.push(sun);
     for (links, carrier, teeth, mesh) in [
-        // The couplings are not in the order of the transmission.
+        // The couplings are not in the order in which the motion is transmitted.
         (["third", "second"], "frame", [15.0, 24.0], Mesh::External),
         (["sun", "planet"], "arm", [30.0, 20.0], Mesh::External),
         (["planet", "ring"], "arm", [20.0, 70.0], Mesh::Internal),
@@ -48,8 +49,6 @@ fn draft() -> LinkageSpec {
     draft
 }
 
-/// Where two wheels touch, a tooth meets a gap at every input, though some wheels mesh with two
-/// others.
 #[test]
 fn teeth_meet_gaps_all_along_a_train() {
     let draft = draft();
@@ -63,7 +62,7 @@ fn teeth_meet_gaps_all_along_a_train() {
     };
     let layout = Layout::new(posed, &view);
     let gearing = Gearing::new(&layout, posed, &view);
-    // The ring has an outer rim of teeth as well, for the train.
+    // The ring counts twice: for the mesh with the second wheel it also has external teeth.
     assert_eq!(gearing.wheels.len(), 6);
     for input in [0.0, 0.3, 1.7, 4.0] {
         let pose = motion.pose::<1>(input).unwrap();

@@ -188,7 +188,6 @@ mod tests {
         (found.left, found.right, found.met())
     }
 
-    /// (20 + 60)/k is whole for k = 2, 4 and 5.
     #[test]
     fn eighty_teeth_take_two_four_or_five_satellites() {
         for (k, expected) in [
@@ -213,7 +212,7 @@ mod tests {
         }
     }
 
-    /// z₄ = 20 + 2·20 = 60: off by 0, 1, 2 and 3 teeth.
+    /// z₁ + 2 z₂ = 60; z₄ differs from this sum by 0, 1, 2 and 3 teeth.
     #[test]
     fn profile_shift_may_make_up_for_two_teeth() {
         for (ring, is_met, within) in [
@@ -231,7 +230,6 @@ mod tests {
         }
     }
 
-    /// Poles that alternate have (20 + 64)/2 = 42 periods: four satellites fit 84 plates, but not 42 periods.
     #[test]
     fn alternating_poles_halve_the_count_of_the_assembly() {
         let train = Train::planar([20.0, 20.0, 64.0]).unwrap();

@@ -163,7 +163,6 @@ impl Differential {
 mod tests {
     use super::*;
 
-    /// Sun of 20 and ring of 40 teeth: ω₁ + 2 ω₄ = 3 ω₃, torques 1 : 2 : −3.
     #[test]
     fn sun_of_20_ring_of_40() {
         let differential = Differential::planar([20.0, 40.0]).unwrap();
@@ -185,8 +184,6 @@ mod tests {
         assert!(Differential::planar([40.0, 20.0]).is_err());
     }
 
-    /// The differential of an axle: equal side wheels share the torque of the carrier, whatever their speeds. At 8 and
-    /// 12 the power taken in at the carrier, 10·10, is given off as 5·8 and 5·12.
     #[test]
     fn equal_side_wheels_share_the_torque() {
         let axle = Differential::of(16, 16);
@@ -204,7 +201,6 @@ mod tests {
         );
     }
 
-    /// Of 20 and 40 teeth: torques in the ratio 1 : −3 : 2, relative to each of the shafts.
     #[test]
     fn torques_are_in_the_ratio_of_the_weights() {
         let differential = Differential::of(20, 40);

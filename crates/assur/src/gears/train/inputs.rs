@@ -47,7 +47,7 @@ pub enum InputError {
         /// The fault.
         fault: Fault,
     },
-    /// The speed of a shaft that follows from the inputs is too high to compute its angles.
+    /// The inputs make a shaft turn too fast to compute its angles.
     TooFast {
         /// The shaft.
         shaft: Shaft,
@@ -87,8 +87,8 @@ pub enum InputError {
 }
 
 impl Differential {
-    /// Finds the motion of all shafts from exactly two inputs. The inputs are either all speeds or all angles:
-    /// the equation is linear with constant coefficients, so both satisfy it.
+    /// Finds the motion of all shafts from exactly two inputs. The inputs are either all speeds or all angles: the
+    /// equation holds for both, because it is linear with constant coefficients.
     ///
     /// The train is at rest if both inputs are multiples of other shafts' speeds.
     ///
@@ -133,7 +133,6 @@ impl Differential {
     }
 }
 
-/// Finds the fault of a single input.
 fn fault(input: &Input) -> Option<InputError> {
     let shaft = input.shaft;
     let number = match input.drive {
@@ -235,7 +234,6 @@ mod tests {
         assert_eq!(differential.solve(&close).unwrap().sun.abs(), 0.0);
     }
 
-    /// One radian of the sun at the held ring turns the carrier through a quarter: the equation also holds for angles.
     #[test]
     fn angles_obey_the_equation_of_the_speeds() {
         let differential = Differential::planar([20.0, 60.0]).unwrap();

@@ -62,7 +62,7 @@ impl Layout {
         }
     }
 
-    /// Wheels with an odd number of plates, around which poles cannot alternate.
+    /// Wheels with an odd number of plates, around which poles cannot alternate. Empty if the poles are alike.
     pub fn odd_wheels(&self) -> impl Iterator<Item = Member> {
         let members: &[Member] = match self.train.kind() {
             _ if !self.alternating => &[],
@@ -78,7 +78,6 @@ impl Layout {
         &self.train
     }
 
-    /// The layout with other wheels.
     pub(super) fn with(&self, train: Train) -> Self {
         Self { train, ..*self }
     }
@@ -106,8 +105,9 @@ impl Layout {
         self.module * f64::from(self.train.teeth(member))
     }
 
-    /// Axis distance a_w, from the central axis to the middle of a satellite. For gears in contact it follows from sun
-    /// and satellite. For magnets it is the given distance, or by default the distance with equal gaps.
+    /// Axis distance a_w, from the central axis to the centre of a satellite. For gears in contact it follows from sun
+    /// and satellite. For magnets it is the given distance, or by default the distance with equal gaps. For bevel
+    /// wheels it is the mean of the pitch radii of sun and ring.
     pub fn axis_distance(&self, coupling: Coupling) -> f64 {
         let [sun, satellite, step, ring] =
             [Member::Sun, Member::Satellite, Member::Step, Member::Ring]

@@ -103,7 +103,6 @@ impl Differential {
 mod tests {
     use super::*;
 
-    /// Sun of 20 and ring of 40 teeth: ω₁ + 2ω₄ = 3ω₃.
     #[test]
     fn six_ratios_of_a_sun_of_20_and_a_ring_of_40() {
         let ratios = Differential::planar([20.0, 40.0]).unwrap().ratios();
@@ -121,7 +120,6 @@ mod tests {
         assert_eq!(found, [3.0, 1.0 / 3.0, 2.0 / 3.0, 1.5, -2.0, -0.5]);
     }
 
-    /// 3 − 2 = 1, 2/3 + 1/3 = 1 and −1/2 + 3/2 = 1, with the common denominators 20, 60 and 40.
     #[test]
     fn ratios_of_one_shaft_to_the_two_others_add_up_to_one() {
         let identities = Differential::planar([20.0, 40.0]).unwrap().identities();
@@ -131,7 +129,8 @@ mod tests {
         );
     }
 
-    /// Largest is sun to carrier, 1 + z₄/z₁; with equal weights it is shared with ring to carrier, 2 = 2.
+    /// If z₁ < z₄, the largest ratio is that of sun to carrier, 1 + z₄/z₁. If z₁ = z₄, that of ring to carrier is as
+    /// large.
     #[test]
     fn the_largest_ratio_is_of_the_shaft_with_the_least_weight() {
         for (sun, ring, expected) in [

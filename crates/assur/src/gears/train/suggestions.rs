@@ -89,8 +89,8 @@ fn changes(kind: Kind, total: i32) -> Vec<[i32; 4]> {
 mod tests {
     use super::*;
 
-    /// Changes of three numbers of teeth by n in all: points of an octahedron, 1, 6 and 4n² + 2 = 18. With a fourth
-    /// number 8 and 32.
+    /// Changes of three numbers of teeth by n in all are the points of an octahedron: 1 for n = 0, otherwise 4n² + 2.
+    /// With a fourth number there are 8 for n = 1 and 32 for n = 2.
     #[test]
     fn changes_are_the_points_of_an_octahedron() {
         for (kind, total, count) in [

@@ -311,7 +311,6 @@ impl Turning {
     }
 }
 
-/// Finds the fault of an input's rise time.
 fn rise_fault(timed: &TimedInput) -> Option<InputError> {
     if matches!(timed.input.drive, Drive::Tied { .. }) || timed.rise == 0.0 {
         return None;
@@ -351,7 +350,6 @@ fn acceleration(time: f64, rise: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// 90 rpm over 40 s are 60 turns; 25 rpm over 1 s are 25/60 of a turn.
     #[test]
     fn turns_are_speed_times_time() {
         for (rpm, seconds, whole, part) in [

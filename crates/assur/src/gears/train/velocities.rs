@@ -121,8 +121,6 @@ mod tests {
         assert_eq!(found.instantaneous_centre, Some(60.0));
     }
 
-    /// With the ring held, the satellite turns about its point of contact with the ring; with the sun held, about that
-    /// with the sun.
     #[test]
     fn a_satellite_rolls_on_a_wheel_that_is_held() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
@@ -134,7 +132,7 @@ mod tests {
         }
     }
 
-    /// A satellite rolls on an equal sun as a coin on an equal coin: two turns for each turn around it.
+    /// A satellite rolls on an equal sun as a coin on an equal coin: two turns for each turn around the sun.
     #[test]
     fn a_satellite_as_large_as_the_held_sun_turns_twice_as_fast() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();
@@ -146,7 +144,7 @@ mod tests {
         assert_eq!((spin.relative, spin.along, spin.across), (3.0, 6.0, 0.0));
     }
 
-    /// cos Σ = (40 − 20)/40 = 1/2: half of the relative speed is along the central axis, √3/2 of it across.
+    /// cos Σ = (40 − 20)/40 = 1/2: half of the relative speed is along the central axis, √3/2 across.
     #[test]
     fn the_speed_of_a_bevel_satellite_has_two_components() {
         let train = Train::bevel([20.0, 20.0, 40.0]).unwrap();

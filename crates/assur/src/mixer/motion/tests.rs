@@ -27,7 +27,6 @@ fn full() -> Motion {
     Mixer::new(&dimensions).unwrap().motion().unwrap()
 }
 
-/// Quantities at a crank angle.
 fn jets<const N: usize>(motion: &Motion, names: &[&str], crank: f64) -> Vec<Jet<N>>
 where
     Pose<N>: PoseOrder,
@@ -53,7 +52,6 @@ fn rows(lengths: [f64; 4], steps: u32) -> (Vec<String>, Vec<Row>) {
     (names.collect(), (0..=turns * steps).map(row).collect())
 }
 
-/// Wheels and traced points have quantities as all links and points have, and come last in the lists of these.
 #[test]
 fn wheels_and_traced_points_are_quantities() {
     let full = full();
@@ -70,7 +68,7 @@ fn wheels_and_traced_points_are_quantities() {
         panic!("three angles")
     };
     assert_eq!([wheel6, wheel7], [rocker * -1.5, rocker * -3.0]);
-    // A point on a wheel goes round with it, 0.1 from its shaft.
+    // P₂ is 0.1 from the centre of wheel 7 and turns with this wheel.
     let [x, y] = value(&["P2.x", "P2.y"])[..] else {
         panic!("two coordinates")
     };
@@ -78,7 +76,7 @@ fn wheels_and_traced_points_are_quantities() {
     assert!((speed - 0.1 * wheel7.derivative(1).abs()).abs() < 1e-14);
 }
 
-/// The middle of the crank runs on a circle, C₂ is half-way between B and C, C₃ between C and D, in every derivative.
+/// C₁, C₂ and C₃ are the midpoints of AB, BC and CD, in every derivative.
 #[test]
 fn centres_follow_their_links() {
     let motion = motion();
@@ -143,7 +141,6 @@ fn columns_have_the_names_of_tables() {
     assert_eq!(names, expected);
 }
 
-/// Each wheel and each traced point has its columns.
 #[test]
 fn wheels_and_traced_points_are_in_the_table() {
     let mut dimensions = Case::A.dimensions();
@@ -171,7 +168,7 @@ fn wheels_and_traced_points_are_in_the_table() {
         let [traced, middle] = ["P1", "C2"].map(|point| value(&format!("{point}.{what}")));
         assert!((traced - middle).abs() < 1e-14, "{what}");
     }
-    // Three bars and three wheels; joints, centres of mass and of wheels, P₁.
+    // Three bars and three wheels; ten points: 4 joints, 3 centres of mass, 2 centres of wheels, P₁.
     assert_eq!(columns.len(), 3 * (6 + 2 * 10));
 }
 
@@ -188,7 +185,7 @@ fn a_full_turn_has_every_value() {
             assert_eq!(row.reason, None);
             assert_eq!(row.values[0], Some(row.input));
         }
-        // The last row is the first, up to whole turns of the angles.
+        // The last row equals the first, up to whole turns of the angles.
         let [first, .., last] = &rows[..] else {
             panic!("rows")
         };
@@ -206,7 +203,7 @@ fn a_full_turn_has_every_value() {
     }
 }
 
-/// l₂ + l₃ just spans BD at a right angle φ₁.
+/// At φ₁ = 90° BD is 5 = l₂ + l₃ long: a dead point.
 #[test]
 fn a_dead_point_has_places_without_derivatives() {
     let (names, rows) = rows([3.0, 2.0, 3.0, 4.0], 360);
@@ -235,7 +232,7 @@ fn a_dead_point_has_places_without_derivatives() {
             _ => panic!("{row:?}"),
         }
     }
-    // C lies between B = (0, 3) and D = (4, 0), two from B.
+    // C lies on the line from B = (0, 3) to D = (4, 0), at the distance 2 from B.
     let column = |name: &str| names.iter().position(|other| other == name).unwrap();
     let [x, y] = ["C.x", "C.y"].map(|name| rows[90].values[column(name)].unwrap());
     assert!((x - 1.6).abs() < 1e-7 && (y - 1.8).abs() < 1e-7, "{x} {y}");
