@@ -14,7 +14,6 @@ const FOLD_TOLERANCE: f64 = 1e-2;
 /// search for the other branch.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
-/// The meetings of all branches.
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
@@ -119,7 +118,7 @@ impl Meetings {
         }
     }
 
-    /// Adds the crossings of a kite, whose coupler and rocker swing freely from one motion to the other.
+    /// Adds the crossings of kites: their coupler and rocker can swing freely from one motion to another.
     fn add_free_swings(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
         let inputs = mechanism
             .closed_steps()
@@ -144,7 +143,7 @@ impl Meetings {
     }
 }
 
-/// Dead points at which a motion must meet another motion. Those with links at infinity are excluded.
+/// Dead points at which another motion must also end. Those with links at infinity are excluded.
 pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
     let dead_points = motion.dead_points().iter();
     dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)
