@@ -1,4 +1,4 @@
-//! Coordinates of a solution for a drawing: its links in a given position, and the linkage itself.
+//! A solution as it is drawn: points of its links at the wanted angles of a position, and its linkage specification.
 
 use std::f64::consts::PI;
 
