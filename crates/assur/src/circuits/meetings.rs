@@ -10,8 +10,8 @@ use crate::tolerance;
 /// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance,
 /// because a pose near a fold changes with the square root of the input.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset of the input, relative to the domain's span, from an unmatched end of a branch to the start of the
-/// search for the other branch.
+/// Maximum distance from an unmatched end of a branch, relative to the domain's span, at which the search for the other
+/// branch starts.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 #[derive(Default)]
@@ -149,7 +149,6 @@ pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
     dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)
 }
 
-/// The ends of a branch at folds.
 fn ends_of<'a>(
     branch: usize,
     motion: &'a Motion,

@@ -157,7 +157,6 @@ impl Motion {
         found
     }
 
-    /// Inputs of this motion that equal a given input modulo the period of the set of assemblies.
     fn visits(&self, input: f64) -> Vec<f64> {
         let (domain, _) = Domain::of(self.mechanism(), Thoroughness::default().max_turns);
         domain.visits(self, input)

@@ -154,7 +154,6 @@ impl<'a> Search<'a> {
         self.whole &= !miscounted;
     }
 
-    /// True if there are too many branches or knots.
     fn is_exhausted(&self) -> bool {
         self.branches.len() > self.thoroughness.max_branches
             || self.knots > self.thoroughness.max_knots
@@ -321,7 +320,6 @@ impl Sample {
         expected > known
     }
 
-    /// True if links may go to infinity within a gap.
     fn may_go_to_infinity(&self, sense: f64, gap: f64) -> bool {
         // A squared sine has a double zero, which is twice as far as the zero of the linear extrapolation.
         zeros(&self.parallel, sense, 0.5 * EXTRAPOLATION * gap)

@@ -53,7 +53,8 @@ impl Swing {
 }
 
 impl FourBar {
-    /// The limit positions of this assembly, by ascending crank angle, from triangles with sides l₄, l₃, l₂ ± l₁.
+    /// The limit positions of this assembly, by ascending crank angle, computed from triangles with sides l₄, l₃, l₂ ±
+    /// l₁.
     pub fn limits(&self, assembly: Assembly) -> Vec<Limit> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();

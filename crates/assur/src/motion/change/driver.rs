@@ -73,8 +73,8 @@ impl Motion {
         Ok(moves.then_some(range))
     }
 
-    /// Returns the linkage with a new rate of a further driver, given by its index, starting from the pose at an input
-    /// or, if there is none, from the drawn pose.
+    /// Returns the linkage with a new rate of a driver other than the first, given by its index. The linkage starts
+    /// from the pose at an input or, if there is none, from the drawn pose.
     ///
     /// # Errors
     /// The defects of the linkage at the new rate.

@@ -181,7 +181,6 @@ impl Curve<'_> {
         })
     }
 
-    /// The equations of the group at a point, linearized.
     fn linearized(&self, at: &DVector<f64>) -> Option<Linearized> {
         let Continuation {
             mechanism,

@@ -161,7 +161,6 @@ mod tests {
         }
     }
 
-    /// The linkage has the same joints, in the assembly with the wanted output.
     #[test]
     fn the_linkage_is_drawn_in_the_first_position() {
         let frame = Frame {

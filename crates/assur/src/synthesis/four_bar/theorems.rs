@@ -137,7 +137,6 @@ mod tests {
         }
     }
 
-    /// Two links in the same or in opposite directions do not determine two lengths.
     #[test]
     fn parallel_links_leave_no_two_lengths() {
         for input in [30.0, 210.0, 390.0] {

@@ -159,7 +159,7 @@ fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
 }
 
 /// The assembly of a position; none if coupler and output are in line. If the motion takes two turns, the result is
-/// always the first assembly, and `input` is shifted into the turn in which the first assembly has the position.
+/// always the first assembly, and `input` is shifted into the turn in which this assembly meets the position.
 fn assembly(
     linkage: &FourBar,
     cycle: &Cycle,

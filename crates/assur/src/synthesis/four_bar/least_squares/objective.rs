@@ -11,7 +11,6 @@ use crate::synthesis::four_bar::{Proportions, Task};
 /// doubling alike.
 pub(super) type Point<const N: usize> = [f64; N];
 
-/// ΣJ of a task.
 #[derive(Clone, Debug)]
 pub(super) struct Objective {
     /// Directions and weight of each position; the greatest weight is scaled to 1.
@@ -20,7 +19,7 @@ pub(super) struct Objective {
     ratios: [f64; 2],
 }
 
-/// ΣJ at a point.
+/// ΣJ and its derivatives at a point, with the best z₁.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Value<const N: usize> {
     /// ΣJ relative to the sum of the weights.
@@ -185,7 +184,7 @@ mod tests {
 
     /// Derivatives of the two gaps |r|: with respect to ln z₂, (4, −3)·(0, −3)/5 = 9/5 and 3; to ln z₃, 12/5 and −3; to
     /// the output's angle, 12/5 and 0; to the input's angle, −9/5 and 0. With |r| − z₁ = ±2, the mean of 2(|r| −
-    /// z₁)∂|r| is twice the difference of the two.
+    /// z₁)∂|r| is twice the difference of the two derivatives.
     #[test]
     fn the_gradient_from_the_changes_of_the_gaps() {
         let found = objective([1.0; 2], Task::RATIOS).at(&[3_f64.ln(), 3_f64.ln(), 0.0, 0.0]);

@@ -4,11 +4,11 @@ use super::{Angles, Subsystem, System, Unknown, functional, opening, sine, third
 use crate::relation::Relation;
 
 /// Evaluates the relations of the paper at each position, in the paper's order, with the number of the position in the
-/// names. Equation (1), J with its derivatives, and the gap are evaluated for the trial lengths `z`: z₁, z₂, z₃. All
-/// other formulas are evaluated for lengths that close the loop: z₁, and the z₂ and z₃ that follow from it. If
-/// condition (13) fails, these formulas are left out. `length` is l₀. For each position, `best` lists the coupler's
-/// angle with the least residual, and this residual in lengths of the frame. Positions with an angle that is not finite
-/// have no relations.
+/// names. Equation (1), J with its derivatives, and the gap are evaluated for the trial lengths `z`: z₁, z₂, z₃.
+/// Formulas for lengths that close the loop are evaluated for z₁ and for the z₂ and z₃ that follow from it; they are
+/// left out if condition (13) fails. All other formulas depend on the angles alone. `length` is l₀. For each position,
+/// `best` lists the coupler's angle with the least residual, and this residual in lengths of the frame. Positions with
+/// an angle that is not finite have no relations.
 pub fn relations(
     positions: &[Angles],
     z: [f64; 3],
