@@ -37,7 +37,7 @@ pub struct Thoroughness {
     pub samples_of_groups: usize,
     /// Maximum number of turns over which a linkage with wheels is searched; 24 by default.
     pub max_turns: usize,
-    /// Maximum number of samples; 2,000 by default.
+    /// Number of samples, including the initial ones, above which no more are added; 2,000 by default.
     pub max_samples: usize,
     /// Maximum number of branches; 512 by default.
     pub max_branches: usize,
