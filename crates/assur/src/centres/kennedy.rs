@@ -28,7 +28,6 @@ impl Known {
     }
 }
 
-/// The centres known so far, for all pairs of bodies.
 struct Table<'a> {
     mechanism: &'a Mechanism,
     known: Vec<Option<Known>>,
@@ -147,8 +146,8 @@ impl Table<'_> {
         }
     }
 
-    /// Intersects two of Kennedy's lines for the centre of two bodies, and names the third body of each line. The first
-    /// two lines with an accurate intersection are used or, if there are none, the two with the most accurate one.
+    /// Finds the centre of two bodies as the intersection of two of Kennedy's lines, and the third body of each line.
+    /// Takes the first accurate intersection or, if none is accurate, the one with the smallest error.
     fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
         let lines = self.mechanism.bodies().filter_map(|by| {
             let line = self.of([first, by])?.joined(self.of([by, second])?)?;

@@ -9,7 +9,7 @@
 //!
 //! A centre is represented by a triple (X, Y, w): it is at (X/w, Y/w), or at infinity if w = 0. Let one link move
 //! relative to another with the angular velocity θ′ and, at the origin, the velocity (x′, y′). Then their centre is
-//! (−y′, x′, θ′). The three such triples of three links sum to zero: this is the theorem.
+//! (−y′, x′, θ′). The triples of three links, taken in cyclic order, sum to zero, so the three centres are on one line.
 
 mod kennedy;
 mod projective;
@@ -54,8 +54,8 @@ pub enum Source {
 /// #     .slide("slider", "C", "frame", ["A", "E"]).crank("crank");
 /// let motion = Motion::new(Mechanism::new(&slider_crank).unwrap());
 /// let centres = motion.mechanism().instant_centres(&motion.pose::<2>(90f64.to_radians()).unwrap());
-/// assert_eq!(centres.len(), 6); // of four links
-/// assert!(centres.iter().any(|one| matches!(one.centre, Centre::Infinity(_)))); // of the slide
+/// assert_eq!(centres.len(), 6); // the pairs of four links
+/// assert!(centres.iter().any(|one| matches!(one.centre, Centre::Infinity(_)))); // that of slider and frame, for one
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InstantCentre {

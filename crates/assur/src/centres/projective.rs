@@ -8,12 +8,12 @@ use crate::tolerance;
 /// A point or a line; multiples of a triple are equivalent.
 pub(super) type Place = nalgebra::Vector3<f64>;
 
-/// A point in the plane.
+/// Triple of a point in the plane.
 pub(super) fn at(place: Vector) -> Place {
     Place::new(place.x, place.y, 1.0)
 }
 
-/// The point at infinity in a direction.
+/// Triple of the point at infinity in a direction.
 pub(super) fn towards(direction: Vector) -> Place {
     Place::new(direction.x, direction.y, 0.0)
 }

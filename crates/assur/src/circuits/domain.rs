@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 use crate::mechanism::Mechanism;
 use crate::motion::{MAX_TURNS, Motion};
 
-/// Range of the input over which assemblies are searched for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Domain {
     pub(super) ends: [f64; 2],
@@ -14,8 +13,9 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Finds the domain of a mechanism: one period of at most `max_turns` turns, or the inputs within the ranges of all
-    /// driven slides. The flag is false if a longer period is cut off, or if these inputs are unlimited.
+    /// Finds the domain of a mechanism: one period, cut off after `max_turns` turns. Without a period it is the
+    /// interval of inputs within the ranges of all driven slides or, if that is unlimited, one turn on either side of
+    /// the drawn input. The flag is false if the period is cut off or the interval is unlimited.
     pub(super) fn of(mechanism: &Mechanism, max_turns: usize) -> (Self, bool) {
         match mechanism.turns_of_assemblies() {
             Some(turns) => {
@@ -41,12 +41,11 @@ impl Domain {
         }
     }
 
-    /// Length of the domain.
     pub(super) fn span(&self) -> f64 {
         self.ends[1] - self.ends[0]
     }
 
-    /// Reduces an input by whole periods to the first period.
+    /// Shifts an input by whole periods into the first period; unchanged if there is no period.
     pub(super) fn wrap(&self, input: f64) -> f64 {
         let from = self.ends[0];
         self.period
@@ -60,7 +59,7 @@ impl Domain {
         (difference - self.period.map_or(0.0, rounded)).abs()
     }
 
-    /// Inputs of a motion that equal a given input modulo the period.
+    /// Inputs of a motion that equal a given input modulo the period, at most [`MAX_TURNS`].
     pub(super) fn visits(&self, motion: &Motion, input: f64) -> Vec<f64> {
         let cycle = motion.cycle();
         let Some(period) = self.period else {

@@ -10,11 +10,10 @@ use crate::tolerance;
 /// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance,
 /// because a pose near a fold changes with the square root of the input.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum offset of the input, relative to the domain's span, from an unmatched end of a branch to the start of the
-/// search for the other branch.
+/// Maximum distance from an unmatched end of a branch, relative to the domain's span, at which the search for the other
+/// branch starts.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
-/// The meetings of all branches.
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
@@ -119,7 +118,7 @@ impl Meetings {
         }
     }
 
-    /// Adds the crossings of a kite, whose coupler and rocker swing freely from one motion to the other.
+    /// Adds the crossings of kites: their coupler and rocker can swing freely from one motion to another.
     fn add_free_swings(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
         let inputs = mechanism
             .closed_steps()
@@ -144,13 +143,12 @@ impl Meetings {
     }
 }
 
-/// Dead points at which a motion must meet another motion. Those with links at infinity are excluded.
+/// Dead points at which another motion must also end. Those with links at infinity are excluded.
 pub(super) fn folds(motion: &Motion) -> impl Iterator<Item = &DeadPoint> {
     let dead_points = motion.dead_points().iter();
     dead_points.filter(|dead| dead.kind.is_dead_point() && dead.kind != DeadPointKind::Parallel)
 }
 
-/// The ends of a branch at folds.
 fn ends_of<'a>(
     branch: usize,
     motion: &'a Motion,

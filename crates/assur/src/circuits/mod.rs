@@ -110,7 +110,7 @@ impl Circuits {
         Self::searched(mechanism, output, Thoroughness::default())
     }
 
-    /// Finds all motions of a linkage in a finer or a coarser search.
+    /// Finds all motions of a linkage in a search of a given density.
     pub fn searched(mechanism: &Mechanism, output: LinkId, thoroughness: Thoroughness) -> Self {
         let mut search = Search::new(mechanism, thoroughness);
         search.find_all();
@@ -156,11 +156,13 @@ impl Circuits {
         self.circuits
     }
 
-    /// True if all branches were found and each was followed to its ends. At every sampled input the numbers of
-    /// assemblies and of branches then agree, and between the samples no pair of complex solutions can become real.
+    /// True if, as far as the search can tell, all branches were found and each was followed to its ends. At every
+    /// sampled input the numbers of assemblies and of branches then agree, and by extrapolation no pair of complex
+    /// solutions becomes real between the samples.
     ///
-    /// False if a group contains wheels in mesh, if a motion comes too close to a singular pose or is too long to
-    /// follow, or if a limit of work is reached. A branch shorter than a millionth of a turn may be missed.
+    /// Always false if a group contains wheels in mesh or redundant constraints, if a motion comes too close to a
+    /// singular pose or is too long to follow, if the range of the input is not fully searched, or if a limit of work
+    /// is reached. A branch shorter than a millionth of a turn may be missed.
     pub fn is_whole(&self) -> bool {
         self.whole
     }
@@ -170,7 +172,8 @@ impl Circuits {
         self.output
     }
 
-    /// Reduces an input to the first period of the set of assemblies, which is a whole number of turns for a crank.
+    /// Shifts an input into the first period of the set of assemblies, a whole number of turns of the crank; unchanged
+    /// if there is no period.
     pub fn wrapped(&self, input: f64) -> f64 {
         self.domain.wrap(input)
     }

@@ -85,18 +85,18 @@ impl Motion {
     /// Finds all assemblies at an input, in the order of their numbers: by the angle of the link `output`, from 0 to
     /// 2π.
     ///
-    /// The list includes the poses of this motion at the input. If the general search missed one of these poses, the
-    /// list may be incomplete, unless assemblies meet in that pose.
+    /// Poses of this motion that the general search missed are added to the list. Each one marks the list as
+    /// incomplete, unless it is singular: assemblies meet in it.
     pub fn assemblies_at(&self, input: f64, output: LinkId) -> Assemblies {
         let found = self.mechanism().assemblies_at(input, Method::Usual);
         self.numbered(found, input, output)
     }
 
-    /// Draws the linkage at an input in the assembly with a given number, counted from 0. A singular pose of this
-    /// motion, in which assemblies meet, gives the mechanism as it was drawn.
+    /// Draws the linkage at an input in the assembly with a given number, counted from 0. If the number is that of a
+    /// singular pose of this motion, in which assemblies meet, the mechanism is returned as it was drawn.
     ///
     /// # Errors
-    /// No assembly has this number.
+    /// No assembly has this number, or the linkage cannot be drawn in it.
     pub fn in_assembly(
         &self,
         input: f64,
@@ -157,7 +157,6 @@ impl Motion {
         found
     }
 
-    /// Inputs of this motion that equal a given input modulo the period of the set of assemblies.
     fn visits(&self, input: f64) -> Vec<f64> {
         let (domain, _) = Domain::of(self.mechanism(), Thoroughness::default().max_turns);
         domain.visits(self, input)
@@ -173,7 +172,7 @@ impl Following {
 }
 
 impl Circuits {
-    /// Sorts and numbers branches, meetings and circuits.
+    /// Sorts the branches and numbers the circuits; the meetings keep their order and refer to the sorted branches.
     pub(super) fn number(&mut self) {
         let mut numbers = vec![0; self.branches.len()];
         for (number, at) in ascending(&self.branch_keys()).into_iter().enumerate() {
@@ -206,8 +205,9 @@ impl Circuits {
         self.circuits = named.len();
     }
 
-    /// Sort keys of the branches. A key contains the start of the branch, the key of the assembly at the start (empty
-    /// at a fold, which two branches share), and the key of the assembly just after the start.
+    /// Sort keys of the branches. A key contains the rank of the branch's minimum input, the key of the assembly at
+    /// this input (empty at an end of the branch, which another branch may share), and the key of the assembly just
+    /// after it.
     fn branch_keys(&self) -> Vec<Vec<f64>> {
         let start = |branch: &Branch| self.domain.min_input(&branch.motion);
         let mut starts: Vec<f64> = self.branches.iter().map(start).collect();

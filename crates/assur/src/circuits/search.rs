@@ -5,7 +5,7 @@
 //! missed. At one end of a missed branch a conjugate pair of complex assemblies becomes real, at the other end complex
 //! again. Near a fold, the squared distance between the two assemblies is about linear in the input: its value and
 //! slope at a sample predict the input of the fold. The interval to the next sample is divided until the fold is found
-//! or the two move apart.
+//! or is no longer predicted.
 
 use std::f64::consts::TAU;
 
@@ -19,28 +19,30 @@ use crate::tolerance;
 
 /// Position of a new sample, as a fraction of an interval. Avoids special poses, in which linkages are often drawn.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// Maximum distance, in widths of a gap, of the extrapolated zero of a complex pair that may become real in the gap.
+/// A complex pair may become real in a gap between samples if its extrapolated zero is less than this many widths of
+/// the gap away.
 const EXTRAPOLATION: f64 = 1.5;
-/// A pair that becomes real before this fraction of a gap belongs to a new branch, not to one known at the gap's end.
+/// A pair predicted to become real before this fraction of a gap belongs to a new branch, not to a branch known to
+/// start at the end of the gap.
 const EARLY: f64 = 0.8;
 
 /// Density of the search for all motions of a linkage, and the limits of its work. The default finds all motions in the
 /// tests of this engine. A denser search is slower, and finds branches that exist only over a shorter interval.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Thoroughness {
-    /// Number of initial samples per turn, or over the range of a slide, for linkages of dyads alone: 144. Many such
-    /// linkages have further assemblies only over a short interval, and dyads are solved quickly.
+    /// Number of initial samples per turn, or over the range of a slide, for linkages of dyads alone; 144 by default.
+    /// Many such linkages have further assemblies only over a short interval, and dyads are solved quickly.
     pub samples_of_dyads: usize,
-    /// Number of initial samples per turn, or over the range of a slide, for linkages with other groups: 24.
+    /// Number of initial samples per turn, or over the range of a slide, for linkages with other groups; 24 by default.
     pub samples_of_groups: usize,
-    /// Maximum number of turns over which a linkage with wheels is searched: 24.
+    /// Maximum number of turns over which a linkage with wheels is searched; 24 by default.
     pub max_turns: usize,
-    /// Maximum number of samples: 2,000.
+    /// Number of samples, including the initial ones, above which no more are added; 2,000 by default.
     pub max_samples: usize,
-    /// Maximum number of branches: 512.
+    /// Maximum number of branches; 512 by default.
     pub max_branches: usize,
-    /// Maximum sum, over all motions, of knots times bodies: 500,000. If one link is millions of times longer than
-    /// the others, each motion has thousands of knots.
+    /// Maximum sum, over all motions, of knots times bodies; 500,000 by default. If one link is millions of times
+    /// longer than the others, each motion has thousands of knots.
     pub max_knots: usize,
 }
 
@@ -57,7 +59,6 @@ impl Default for Thoroughness {
     }
 }
 
-/// The assemblies at an input.
 struct Sample {
     input: f64,
     assemblies: usize,
@@ -70,11 +71,10 @@ struct Sample {
 struct Division<'a> {
     input: f64,
     sample: Option<&'a Sample>,
-    /// Numbers of branches that start at a fold at this input and run to greater inputs, and to smaller inputs.
+    /// Numbers of branches that run from a fold at this input to greater inputs, and to smaller inputs.
     starts: [usize; 2],
 }
 
-/// State of the search.
 pub(super) struct Search<'a> {
     mechanism: &'a Mechanism,
     thoroughness: Thoroughness,
@@ -154,13 +154,11 @@ impl<'a> Search<'a> {
         self.whole &= !miscounted;
     }
 
-    /// True if there are too many branches or knots.
     fn is_exhausted(&self) -> bool {
         self.branches.len() > self.thoroughness.max_branches
             || self.knots > self.thoroughness.max_knots
     }
 
-    /// Adds a branch.
     fn add(&mut self, motion: Motion) {
         let mut ends = motion.dead_points().iter();
         self.whole &= !ends.any(|dead| dead.kind.is_given_up());
@@ -210,7 +208,6 @@ impl<'a> Search<'a> {
         self.samples.insert(at, sample);
     }
 
-    /// Appends the poses of a motion at an input.
     fn append_poses(&self, motion: &Motion, input: f64, poses: &mut Vec<Pose<1>>) {
         let visits = self.domain.visits(motion, input).into_iter();
         poses.extend(visits.filter_map(|input| motion.pose(input).ok()));
@@ -310,7 +307,8 @@ impl<'a> Search<'a> {
 }
 
 impl Sample {
-    /// True if more complex pairs may become real within a gap than there are known branches starting at its end.
+    /// True if a complex pair may become real early in a gap, or more pairs in the whole gap than `known`, the number
+    /// of known branches that start at the far end of the gap.
     fn may_become_real(&self, sense: f64, gap: f64, known: usize) -> bool {
         let mut expected = 0;
         for distance in zeros(&self.complex, sense, EXTRAPOLATION * gap) {
@@ -322,7 +320,6 @@ impl Sample {
         expected > known
     }
 
-    /// True if links may go to infinity within a gap.
     fn may_go_to_infinity(&self, sense: f64, gap: f64) -> bool {
         // A squared sine has a double zero, which is twice as far as the zero of the linear extrapolation.
         zeros(&self.parallel, sense, 0.5 * EXTRAPOLATION * gap)

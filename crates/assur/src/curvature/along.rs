@@ -3,7 +3,7 @@
 use crate::mechanism::Pose;
 use crate::motion::{Motion, PoseOrder, Sampling, Shown, Spacing};
 
-/// Sampling of the input. If the whole motion would need too many samples, only its first turns are sampled.
+/// Density of the samples. A motion that would need too many samples is sampled over its first turns only.
 const PLACES: Sampling = Sampling {
     turn: 720,
     coarsest: 60,

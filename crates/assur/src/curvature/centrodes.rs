@@ -10,7 +10,7 @@ use crate::{Point, Vector, perpendicular};
 /// Distance beyond which a pole counts as at infinity, in sizes of the mechanism.
 const FARTHEST: f64 = 100.0;
 
-/// A point of contact of the centrodes.
+/// Contact of the two centrodes at an input.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rolling {
     /// The input.
@@ -98,7 +98,6 @@ mod tests {
         }
     }
 
-    /// The pole of a crank is its pivot, in the frame and on the crank.
     #[test]
     fn centrodes_of_a_crank_are_its_pivot() {
         let motion = antiparallelogram();

@@ -195,7 +195,6 @@ mod tests {
         assert_eq!(Circles::of(mechanism, &pose, body("slider")), None);
     }
 
-    /// About a hinge of the frame every point moves on a circle around the hinge.
     #[test]
     fn about_a_hinge_all_centres_of_curvature_are_the_hinge() {
         let hinge = Circles {

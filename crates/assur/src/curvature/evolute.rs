@@ -79,7 +79,6 @@ mod tests {
         assert_eq!(Evolute::of(&motion, pivot), Evolute::default());
     }
 
-    /// The slider of a slider-crank moves along a line, so its path has no centre of curvature.
     #[test]
     fn a_straight_path_has_no_evolute() {
         let spec = slider_crank([[0.0, 3.0], [4.0, 0.0]]);

@@ -1,6 +1,6 @@
 //! Curvature of paths: the centre of curvature and its motion, the circles that give this centre for all points of a
-//! link at once, and the centrodes. All follow from derivatives with respect to the input: the curvature from two of
-//! them, its rate from three. Nothing depends on the speed of the input.
+//! link at once, and the centrodes. All are computed from derivatives of the pose with respect to the input: the
+//! curvature from the first two, its rate from the first three. None depends on the speed of the input.
 //!
 //! See Dijksman, *Motion Geometry of Mechanisms*, and Hall, *Kinematics and Linkage Design*, ch. 5.
 

@@ -57,8 +57,9 @@ mod tests {
         }
     }
 
-    /// From the closure to the second order, with φ₃ = kφ₁. In the parallelogram 1, 2, 1, 2, both cranks along the
-    /// frame: (k − 1)(k + 3) = 0; opposite to it: (k − 1)(3k + 1) = 0. In the four-bar 1, 2, 3, 2: 3k² + 6k − 1 = 0.
+    /// The loop closure to the second order gives a quadratic for k = φ₃′. Parallelogram 1, 2, 1, 2 with both cranks
+    /// along the frame: (k − 1)(k + 3) = 0; with both cranks opposite to it: (k − 1)(3k + 1) = 0. Four-bar 1, 2, 3, 2:
+    /// 3k² + 6k − 1 = 0.
     #[test]
     fn rates_of_the_two_motions_solve_a_quadratic() {
         let root = (4.0_f64 / 3.0).sqrt();

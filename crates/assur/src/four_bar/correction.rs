@@ -3,17 +3,18 @@
 use super::{FourBar, Pose};
 use crate::Jet;
 
-/// Ratio of φ₅′ to the rates of crank and coupler above which the derivatives of φ₂ and φ₃ are corrected. A sum of two
-/// angles that turn against each other at this ratio loses five bits with every order.
+/// Ratio of φ₅′ to the greater of the rates of crank and coupler, above which the derivatives of φ₂ and φ₃ are
+/// corrected. The derivatives of a sum of two angles that turn in opposite senses lose five bits per order at this
+/// ratio.
 const FAST: f64 = 32.0;
 
 impl FourBar {
     /// Corrects the derivatives of φ₂ and φ₃ by one Newton step on the loop closure, if B is close to D.
     ///
-    /// There φ₅ and the angles of BCD change fast. In one assembly they turn against each other, and the derivatives of
-    /// order n of their sums have rounding errors of ε φ₅′ⁿ, which differ between φ₂ and φ₃. After the step the loop is
-    /// closed in all derivatives. The step divides by sin(φ₂ − φ₃), so it is omitted if coupler and rocker are nearly
-    /// in line.
+    /// There φ₅ and the angles of triangle BCD change fast. In one of the assemblies they change in opposite senses.
+    /// The derivatives of order n of their sums φ₂ and φ₃ then have rounding errors of ε φ₅′ⁿ, which differ between φ₂
+    /// and φ₃. After the step the loop is closed in all derivatives. The step divides by sin(φ₂ − φ₃), so it is omitted
+    /// if coupler and rocker are nearly in line.
     pub(super) fn corrected<const N: usize>(&self, pose: Pose<N>, diagonal: Jet<N>) -> Pose<N> {
         let [fast, rate] = [diagonal, pose.coupler].map(|angle| angle.derivative(1).abs());
         if fast <= FAST * rate.max(1.0) {
@@ -26,7 +27,7 @@ impl FourBar {
         let [_, l2, l3, _] = self.lengths;
         let [_, b, c, _] = self.joints(&pose);
         let end = b.offset(pose.coupler, l2, 0.0);
-        // The values have all digits; only derivatives are corrected.
+        // The values are accurate; only the derivatives are corrected.
         let [x, y] = [end.x - c.x, end.y - c.y].map(|gap| gap + -gap.value());
         let along = |angle: Jet<N>| {
             let (sin, cos) = angle.sin_cos();

@@ -15,9 +15,9 @@ use super::FourBar;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cycle {
-    /// Period of the input after which the motion repeats, radians. It is a whole number of turns: two, for example,
-    /// if a change point connects both assemblies. None for a driven slide, and for a crank if inputs a turn apart give
-    /// different poses.
+    /// Period of the input after which the motion repeats, radians. It is a whole number of turns: two, for example, if
+    /// a change point connects both assemblies. None for a driven slide, and for an oscillating crank if inputs a turn
+    /// apart give different poses.
     period: Option<f64>,
     /// True if the input is the angle of a crank.
     turns: bool,
@@ -79,7 +79,6 @@ impl Cycle {
         (after || before).then_some((joined, shift))
     }
 
-    /// Sets the ends of an arc.
     pub(crate) fn set_arc(&mut self, arc: usize, ends: [f64; 2]) {
         self.arcs[arc] = ends;
     }
@@ -95,8 +94,8 @@ impl Cycle {
     }
 
     /// Period of the input after which the motion repeats, radians: a whole number of turns. An input outside the arcs
-    /// is shifted into them by whole periods. None for a driven slide, and for a crank if inputs a turn apart give
-    /// different poses.
+    /// is shifted into them by whole periods. None for a driven slide, and for an oscillating crank if inputs a turn
+    /// apart give different poses.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
@@ -241,8 +240,8 @@ mod tests {
     }
 
     /// Crank and frame 4, coupler and rocker 1 and 2: the diagonal BD lies between 1 and 3, and is opposite to φ₁ in
-    /// the triangle with two sides of 4: cos φ₁ = (32 − BD²)/32. With 2 and 2 it lies between 0 and 4, which is a side
-    /// of an equilateral triangle.
+    /// the triangle with two sides of 4: cos φ₁ = (32 − BD²)/32. With coupler and rocker of 2, BD is at most 4, and the
+    /// triangle is then equilateral.
     #[test]
     fn ends_of_the_arcs_follow_from_the_law_of_cosines() {
         let [near, far] = [31.0_f64 / 32.0, 23.0 / 32.0].map(f64::acos);
@@ -266,7 +265,8 @@ mod tests {
         }
     }
 
-    /// From 0.75 in the range from 0 to 1: 0.5 further is 0.25 back from the end, 1.5 further is 0.25 beyond the start.
+    /// The driver oscillates between 0 and 1 and starts at 0.75. A step of 0.5 leads to 1 and back to 0.75; a step of
+    /// 1.5 leads to 1, back to 0 and on to 0.25.
     #[test]
     fn an_oscillating_driver_turns_back_at_the_ends() {
         let cycle = Cycle::swinging([0.0, 1.0], None);
@@ -302,7 +302,6 @@ mod tests {
         assert_eq!(Cycle::turning(1).joined(&crank([0.0, 1.0])), None);
     }
 
-    /// The axis is a whole turn around the arcs: from 0 or −π if possible, otherwise with the arcs in its middle.
     #[test]
     fn the_axis_of_a_crank_is_one_turn() {
         for (arc, expected) in [

@@ -3,7 +3,8 @@
 use super::{FourBar, tolerance};
 use crate::sorting::sort_by;
 
-/// Grashof type of a four-bar: which links turn fully. s is the shortest length, l the longest, p and q are the others.
+/// Grashof type of a four-bar: which links turn fully. Here s is the shortest length, l the longest, and p and q are
+/// the other two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grashof {
     /// s + l < p + q and the crank is shortest: the crank turns, the rocker oscillates.
@@ -112,7 +113,7 @@ mod tests {
         }
     }
 
-    /// Grashof's theorem: the crank turns fully if it or the frame is shortest.
+    /// Grashof's theorem: if s + l ≤ p + q, the crank turns fully if it or the frame is shortest.
     #[test]
     fn the_crank_turns_if_it_or_the_frame_is_shortest() {
         for (lengths, turns) in [

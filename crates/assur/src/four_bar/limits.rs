@@ -53,7 +53,8 @@ impl Swing {
 }
 
 impl FourBar {
-    /// The limit positions of this assembly, by ascending crank angle, from triangles with sides l₄, l₃, l₂ ± l₁.
+    /// The limit positions of this assembly, by ascending crank angle, computed from triangles with sides l₄, l₃, l₂ ±
+    /// l₁.
     pub fn limits(&self, assembly: Assembly) -> Vec<Limit> {
         let cycle = self.cycle();
         let [start, end] = cycle.axis();
@@ -87,7 +88,7 @@ impl FourBar {
         let apart = (l4 - l3) * (l4 + l3);
         let outstretched = k2 * perimeter * s3 * s4;
         let folded = k1 * k3 * s1 * s2;
-        // If folded: crank angle less the direction of AC, and the side of BD on which C lies if C is above AD.
+        // Folded, with C above AD: the crank angle less the direction of AC, and the side of BD on which C lies.
         let beyond = if l2 > l1 { (PI, 1.0) } else { (0.0, -1.0) };
         let mut found = Vec::new();
         for (reach, area, (turn, side)) in [
@@ -127,8 +128,8 @@ mod tests {
         }
     }
 
-    /// If l₁² + l₄² = l₂² + l₃², here 1 + 64 = 16 + 49, the limit positions of C and A are in line (centric
-    /// crank-rocker): the crank turns 180° between them, and the chord of the swing is 2 l₁.
+    /// If l₁² + l₄² = l₂² + l₃², here 1 + 64 = 16 + 49, A is in line with the two limit positions of C (centric
+    /// crank-rocker). The crank turns 180° between the limit positions, and the chord of the swing is 2 l₁.
     #[test]
     fn a_centric_crank_rocker_has_no_quick_return() {
         let linkage = FourBar::new([1.0, 4.0, 7.0, 8.0]).unwrap();
@@ -145,7 +146,6 @@ mod tests {
         }
     }
 
-    /// The second assembly is the mirror image of the first in the line of the frame.
     #[test]
     fn limits_of_the_second_assembly_are_mirrored() {
         let linkage = FourBar::new([1.0, 4.0, 3.0, 4.0]).unwrap();

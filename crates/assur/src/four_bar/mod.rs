@@ -1,4 +1,4 @@
-//! The four-bar: its loop closure (in analysis, Freudenstein's equation), solved in closed form by [`FourBar::pose`].
+//! The four-bar linkage. [`FourBar::pose`] solves its loop closure in closed form.
 //!
 //! The joints A = (0, 0) and D = (l₄, 0) are on the frame. The crank AB, of length l₁, is at the angle φ₁ from +x, the
 //! coupler BC (l₂) at φ₂, the rocker DC (l₃) at φ₃. The diagonal BD = l₅ divides the loop into two triangles.
@@ -100,8 +100,8 @@ impl FourBar {
     /// Makes the linkage with lengths l₁ … l₄ (crank, coupler, rocker, frame), all in the same unit.
     ///
     /// # Errors
-    /// Every reason at once: a length that is not finite, not positive, out of range (10⁻⁹ … 10⁹ and at least 10⁻⁹ of
-    /// the longest), or not shorter than the other three together.
+    /// Every length that is not finite, not positive or out of range (10⁻⁹ … 10⁹, and at least 10⁻⁹ of the longest). If
+    /// there is none: the length that is not shorter than the other three together.
     pub fn new(lengths: [f64; 4]) -> Result<Self, Vec<Invalid>> {
         let longest = lengths
             .into_iter()
@@ -266,7 +266,7 @@ mod tests {
         }
     }
 
-    /// A link as long as the three others together leaves no motion; a longer one does not close by the difference.
+    /// A link as long as the other three together leaves no motion. If it is longer, a gap of the difference remains.
     #[test]
     fn a_link_as_long_as_the_others_together_is_too_long() {
         for (lengths, dimension, by) in [
@@ -282,7 +282,7 @@ mod tests {
         }
     }
 
-    /// Next to 10¹⁶ doubles are 2 apart, so a plain sum loses a 1.
+    /// Near 10¹⁶ doubles are 2 apart, so a plain sum loses each added 1.
     #[test]
     fn sums_keep_what_large_terms_cancel() {
         assert_eq!(sum([1.0, 1e16, 1.0, -1e16]), 2.0);

@@ -83,7 +83,7 @@ impl FourBar {
     /// The pose at crank angle `crank` (φ₁, radians, any number of turns) with `N − 1` derivatives: `pose::<1>` for
     /// positions, `pose::<3>` for φ′ and φ″.
     ///
-    /// Each angle is the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD, as in (3)–(7)
+    /// φ₂ and φ₃ are the direction φ₅ of BD plus or minus an interior or exterior angle of triangle BCD, as in (3)–(7)
     /// of the mixer paper, but always in the correct quadrant. These sums are differentiated directly and stay exact
     /// through a change point, where the paper's (10)–(13) divide by sin(φ₃ − φ₂) = 0.
     ///
@@ -115,7 +115,7 @@ impl FourBar {
         assembly: Assembly,
         crank: f64,
     ) -> Result<Pose<N>, Unsolved> {
-        let crank = crank + 0.0; // −0 would carry its sign into a change point
+        let crank = crank + 0.0; // −0 becomes +0: its sign would matter at a change point
         let (sin, cos) = half_angle(crank)?;
         let roots = self.area_roots(crank, sin, cos)?;
         let [diagonal, at_b, at_d] = if self.is_deltoid() {
@@ -145,7 +145,8 @@ impl FourBar {
         [a, b, c, d]
     }
 
-    /// A point fixed to a link, such as the centre of mass: mixer paper (14)–(25), for any point of the link.
+    /// A point fixed to a link, such as its centre of mass. These are (14)–(25) of the mixer paper, for any point of
+    /// the link.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,
@@ -190,8 +191,8 @@ impl FourBar {
         [diagonal, at_b, at_d]
     }
 
-    /// The angles of [`Self::triangle_angles`] for a deltoid, where l₅ = √Q cancels. Because √Q is signed, the motion
-    /// passes smoothly through the crank angle at which B coincides with D.
+    /// The angles of [`Self::triangle_angles`] for a deltoid, in whose quotients l₅ = √Q cancels. Because √Q is signed,
+    /// the motion is smooth at the crank angle at which B coincides with D.
     fn deltoid_angles<const N: usize>(
         &self,
         assembly: Assembly,
@@ -263,7 +264,7 @@ impl FourBar {
         } else if factor.value() > rounding {
             Ok(factor.sqrt())
         } else if N == 1 {
-            // In line within rounding counts as in line: the root of a rounding error has only half the digits.
+            // A factor that is zero within rounding is taken as zero: its root would be wrong in half of the digits.
             Ok(Jet::constant(0.0))
         } else {
             Err(Fold::At)

@@ -11,7 +11,7 @@ impl FourBar {
     /// drives the rocker. It is equal in both assemblies, and zero at a dead point.
     ///
     /// # Errors
-    /// [`Unsolved`] if the loop cannot be closed.
+    /// [`Unsolved`] if the crank angle is not finite or the loop cannot be closed.
     pub fn transmission_angle(&self, crank: f64) -> Result<f64, Unsolved> {
         // The interior angle at C, the joint of coupler and rocker, is twice atan2(√Q, √P); see `area_roots`.
         let (sin, cos) = half_angle::<1>(crank)?;
@@ -22,8 +22,8 @@ impl FourBar {
 
     /// The minimum transmission angle of the motion, and the crank angle at which it occurs, radians.
     pub fn worst_transmission(&self) -> (f64, f64) {
-        // The interior angle at C is monotonic between φ₁ = 0 and π, because the diagonal opposite C is. Farther from
-        // 90° on either side, μ is smaller. So μ is least at 0, at π or at the end of an arc.
+        // The interior angle at C is monotonic between φ₁ = 0 and π, because the diagonal opposite C is. The farther
+        // this angle is from 90°, the smaller is μ. So μ is least at 0, at π or at the end of an arc.
         let cycle = self.cycle();
         let ends = cycle.arcs().iter().flatten().copied();
         ends.chain([0.0, PI])

@@ -27,13 +27,14 @@ pub struct Phase {
 }
 
 impl OutputProfile<'_> {
-    /// Phases of a cycle: dwells around the extrema, each within a band of full width `tolerance`, and the strokes
-    /// between the dwells. Of overlapping dwells only the longest is kept. Empty if the tolerance is not positive.
+    /// Phases of a cycle: dwells around the extrema and the ends of an arc, each within a band of full width
+    /// `tolerance`, and the strokes between the dwells. Of overlapping dwells only the longest is kept. Empty if the
+    /// tolerance is not positive and finite.
     pub fn cyclogram(&self, tolerance: f64) -> Vec<Phase> {
         self.phases(self.touching(tolerance), tolerance)
     }
 
-    /// Phases of a cycle, as in [`Self::cyclogram`], from given arcs around the extrema.
+    /// Phases of a cycle, as in [`Self::cyclogram`], from given dwells that may overlap.
     pub(super) fn phases(&self, mut arcs: Vec<Dwell>, tolerance: f64) -> Vec<Phase> {
         let (Some(first), true) = (self.stations.first(), is_width(tolerance)) else {
             return Vec::new();

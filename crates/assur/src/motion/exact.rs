@@ -22,9 +22,10 @@ const STEPS: usize = 4;
 /// Scale of the unknowns of poses relative to those of the drawing: large, so that the poses are nearly free.
 const DRAWING_WEIGHT: f64 = 1e2;
 /// Relative tolerances of the rank for the initial poses, tried in turn. Near a singular pose a large tolerance keeps
-/// the error of the drawing from growing.
+/// the error of the drawing from being amplified.
 const INITIAL_RANKS: [f64; 3] = [1e-3, 1e-2, 3e-4];
-/// Relative tolerances of the rank for the solution, tried in turn: the vanishing singular values vary in size.
+/// Relative tolerances of the rank for the solution, tried in turn, because the singular values that should be zero
+/// vary in size.
 const RANKS: [f64; 3] = [1e-6, 1e-8, 1e-11];
 
 /// An exact drawing near a given one.
@@ -39,9 +40,9 @@ pub struct MadeExact {
 }
 
 impl LinkageSpec {
-    /// Nearest drawing whose redundant constraints hold over a motion. None unless locking is the only defect, a crank
-    /// on the frame is the only driver, and there are no gears, shapes or fixed links; or if a point would move by more
-    /// than [`NEARLY`] of the drawing's size.
+    /// Nearest drawing whose redundant constraints hold over a motion. None if the drawing has a defect other than
+    /// [`Defect::Locked`] or [`Defect::Instant`], if its only driver is not a crank on the frame, if it has gears,
+    /// shapes or links fixed to others, or if a point would move by more than [`NEARLY`] of the drawing's size.
     pub fn made_exact(&self) -> Option<MadeExact> {
         let refused = Mechanism::new(self).err()?;
         let locked =
@@ -95,7 +96,7 @@ enum Constant {
     Along([usize; 2], usize),
 }
 
-/// The constraints of a drawing whose crank turns about a point of the frame.
+/// Constraints of a drawing whose only driver is a crank about a point of the frame.
 struct System {
     drawn: Vec<Vector>,
     /// True for points of the frame.
@@ -137,7 +138,8 @@ impl System {
             if let [first, second, ..] = points[..] {
                 lines.push([first, second]);
                 constants.push(Constant::Distance([first, second]));
-                // Distances from the first two points leave it open on which side of their line a further point lies.
+                // Distances from the first two points would not determine on which side of their line a further point
+                // lies.
                 for point in &points[2..] {
                     let four = [first, second, first, *point];
                     constants.extend([Constant::Dot(four), Constant::Cross(four)]);

@@ -4,17 +4,16 @@ use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// Poses just before and just after the end of a full cycle, because a kite has no pose at the end itself. The angle
-/// just after the end is extrapolated from the angle and the rate just before it.
+/// Poses just before the end and just after the start of a full cycle. A kite may have no pose at the end itself, so
+/// its angle just after the end is extrapolated from the first of these poses.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,
-    /// The two poses, and the difference of their inputs from the end of the cycle; None if no offset has both poses.
+    /// The two poses, and their distance from the end or the start; None if no distance tried has both poses.
     poses: Option<([Pose<3>; 2], f64)>,
 }
 
 impl Motion {
-    /// Poses around the end of a full cycle with the given period.
     pub(super) fn seam(&self, period: f64) -> Seam<'_> {
         let mut offsets = [1e-6, 1e-5, 1e-4].into_iter().map(|offset| offset * period);
         let poses = offsets.find_map(|offset| {
@@ -48,7 +47,6 @@ impl Seam<'_> {
         }
     }
 
-    /// Growth of the angle of a link.
     fn gain_of(&self, link: LinkId) -> f64 {
         let mechanism = self.motion.mechanism();
         let multiple = mechanism.multiple_of(link);

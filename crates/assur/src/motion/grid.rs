@@ -95,7 +95,6 @@ impl Grid {
     }
 }
 
-/// Merges two ascending sequences.
 fn merged(rows: impl Iterator<Item = At>, ends: Vec<At>) -> impl Iterator<Item = At> {
     let mut rows = rows.peekable();
     let mut ends = ends.into_iter().peekable();

@@ -64,7 +64,6 @@ mod tests {
         assert_eq!(rate.rate(&q, 2), 421.0);
     }
 
-    /// A crank that turns backwards reverses velocities, not accelerations.
     #[test]
     fn a_reversed_crank_keeps_accelerations() {
         let q = Jet::<3>::of_derivatives([2.0, 3.0, 4.0]);

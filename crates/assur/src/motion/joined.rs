@@ -12,7 +12,7 @@ use crate::tolerance;
 /// Reason why two motions have no union.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unjoinable {
-    /// The motions belong to different linkages.
+    /// The motions belong to different linkages, or the drawn pose of the second is not a pose of the union.
     OtherLinkage,
     /// A driver turns fully, or the inputs of the motions overlap.
     Overlap,
@@ -20,11 +20,11 @@ pub enum Unjoinable {
 
 impl Motion {
     /// Union of this motion and another motion of the same linkage over other inputs. If a crank turns back, the
-    /// linkage may also be assembled on an arc that this motion cannot reach; `other` starts from a drawing there. The
-    /// arcs of `other` are shifted by whole turns to follow those of this motion.
+    /// linkage may also be assembled on an arc that this motion cannot reach; `other` starts from a drawing on such an
+    /// arc. The arcs of `other` are shifted by whole turns to follow those of this motion.
     ///
     /// # Errors
-    /// The motions belong to different linkages, or overlap.
+    /// The motions belong to different linkages, overlap, or the drawn pose of `other` is not a pose of the union.
     pub fn joined(mut self, other: Self) -> Result<Self, Unjoinable> {
         if !self.mechanism.is_redrawn_as(&other.mechanism) {
             return Err(Unjoinable::OtherLinkage);

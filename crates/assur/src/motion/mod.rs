@@ -67,7 +67,7 @@ pub(crate) const MAX_TURNS: usize = 256;
 /// let pose = motion.pose::<2>(90f64.to_radians()).unwrap();
 /// let slider = motion.mechanism().place(&pose, motion.mechanism().point("C").unwrap());
 /// assert!((slider.place().x - 4.0).abs() < 1e-12);
-/// assert!((slider.derivative(1).x + 3.0).abs() < 1e-12); // as fast as the end of the crank
+/// assert!((slider.derivative(1).x + 3.0).abs() < 1e-12); // as fast as the crank pin
 /// ```
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -91,7 +91,6 @@ impl Motion {
         }
     }
 
-    /// Follows the motion by continuation.
     fn followed(mut mechanism: Mechanism) -> Self {
         let mut forward = Continuation::new(&mechanism);
         let longest = longest_step(&mechanism);
@@ -245,14 +244,16 @@ impl Motion {
         self.mechanism.links_of(dead.step)
     }
 
-    /// Change points: inputs at which links come into line and pass through, and another motion crosses this one.
+    /// Change points: inputs at which links come into line without stopping the motion, and another motion crosses this
+    /// one.
     pub fn change_points(&self) -> &[f64] {
         &self.change_points
     }
 
-    /// Margin from singular poses, for groups solved by Newton's method: the smallest ratio, over the motion, of a
-    /// Jacobian's determinant to its maximum, with the product of the signs of all the determinants; 0 if one vanishes,
-    /// 1 if there is no such group.
+    /// Margin from singular poses, for groups solved by Newton's method. For each group, the minimum absolute value of
+    /// its Jacobian's determinant over the motion is divided by the maximum. The result is the smallest of these
+    /// ratios, with the product of the signs of the determinants; 0 if a determinant vanishes or changes sign, 1 if
+    /// there is no such group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, step)| matches!(step, Step::Group(_)));

@@ -229,7 +229,8 @@ impl<'a> OutputProfile<'a> {
         }
     }
 
-    /// Arcs around the extrema, within bands that have an extremum on one edge; none if the tolerance is not positive.
+    /// Arcs around the stations, each within a band that has the value of its station on one edge; none if the
+    /// tolerance is not positive and finite.
     pub(super) fn touching(&self, tolerance: f64) -> Vec<Dwell> {
         if !is_width(tolerance) {
             return Vec::new();
@@ -245,8 +246,8 @@ impl<'a> OutputProfile<'a> {
             .collect()
     }
 
-    /// Longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle if the quantity
-    /// varies by less. None if the tolerance is not positive, or the motion has no poses.
+    /// Longest arc on which the quantity stays within a band of full width `tolerance`: the whole cycle or arc if the
+    /// quantity varies by less. None if the tolerance is not positive and finite, or the motion has no poses.
     pub fn dwell(&self, tolerance: f64) -> Option<Dwell> {
         self.longest(&self.touching(tolerance), tolerance)
     }
@@ -258,7 +259,7 @@ impl<'a> OutputProfile<'a> {
         (longest, self.phases(touching, tolerance))
     }
 
-    /// Longest arc within a band: one of the arcs around extrema, or one on a flank.
+    /// Longest arc within a band: one of the arcs `touching`, or one on a flank.
     fn longest(&self, touching: &[Dwell], tolerance: f64) -> Option<Dwell> {
         if !is_width(tolerance) {
             return None;
@@ -302,7 +303,7 @@ impl<'a> OutputProfile<'a> {
     }
 
     /// Strokes between neighbouring extrema or ends of the arc, each with the inputs and values at its ends. Empty for
-    /// a full cycle without extrema, as of an angle that only increases.
+    /// a full cycle without extrema, such as that of an angle that only increases.
     pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
         if self.period.is_some() && self.monotone {
             return Vec::new();

@@ -114,7 +114,6 @@ fn steps(count: f64) -> usize {
     count.round().max(1.0) as usize
 }
 
-/// Samples at equal steps.
 fn even([from, to]: [f64; 2], count: usize, spacing: Spacing) -> Vec<f64> {
     let (range, offset) = match spacing {
         Spacing::Middles => (0..count, 0.5),

@@ -56,8 +56,8 @@ impl Motion {
     /// point, and from the values computed at the distance `reach` on both sides. Returns first the error of the root's
     /// square at half this distance, then the root.
     ///
-    /// At the change point the square is zero only within rounding. Its value there is subtracted at all inputs, because a
-    /// difference between the nodes would appear in the second derivative, divided by the square of the reach.
+    /// At the change point the square is zero only within rounding. Its value there is subtracted at all inputs;
+    /// otherwise this error would appear in the second derivative, divided by the square of the reach.
     fn interpolated(
         &self,
         step: StepId,
@@ -95,7 +95,8 @@ impl Motion {
         let known = self.cycle.contains(input)
             && match solved {
                 Ok(()) => true,
-                // With links in line the square is zero or, by rounding, negative. Later steps may fail.
+                // The step itself may fail, because with links in line the square is zero or, by rounding, negative.
+                // Later steps may fail too.
                 Err((failed, cause)) => {
                     let known = !matches!(cause, Cause::Undetermined | Cause::Input);
                     failed.index() > step.index() || failed == step && known

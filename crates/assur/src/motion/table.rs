@@ -87,7 +87,7 @@ impl Column {
 pub struct Row {
     /// Input of the row.
     pub input: f64,
-    /// Values of the columns. At a dead point quantities have values but no derivatives.
+    /// Values of the columns. At a dead point there are values but no derivatives; without a pose there are neither.
     pub values: Vec<Option<f64>>,
     /// Reason why values are missing.
     pub reason: Option<Unsolved>,

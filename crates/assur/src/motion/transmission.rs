@@ -50,7 +50,7 @@ impl Motion {
     }
 
     /// Minimum transmission angle of an RRR dyad: at an extremum of the cosine of the angle between its links, at the
-    /// end of an arc, or at a change point. None if the motion has no pose.
+    /// end of an arc, or at a change point. None if no such input has a pose.
     ///
     /// # Errors
     /// The motion has too many turns to be searched, and no closed form.
@@ -87,7 +87,7 @@ impl Motion {
     }
 
     /// Maximum pressure angle of an RRP dyad: at an extremum of its sine, at the end of an arc, or at a change point.
-    /// None if the motion has no pose.
+    /// None if no such input has a pose.
     ///
     /// # Errors
     /// The motion has too many turns to be searched.

@@ -6,7 +6,7 @@ use super::DeadPoint;
 use crate::Cycle;
 use crate::mechanism::Mechanism;
 
-/// Range of the input between two ends, and the whole turns that were subtracted from the inputs, in radians.
+/// Range of the input between two ends, and the angle of whole turns that was subtracted from the inputs.
 ///
 /// Usually inputs are shifted and wrapped by whole periods, so that the range begins within half a period of 0. If the
 /// motion could not be followed beyond an end, this is done only if the period is one turn and the range is at most a

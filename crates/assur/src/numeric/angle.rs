@@ -60,7 +60,8 @@ impl Angle {
         let turns = (self.part / TAU).round();
         if turns != 0.0 {
             self.turns = self.turns.saturating_add(turns as i64);
-            // The fused difference is exact, because it is small. The rounding error of the sum goes into the carry.
+            // The fused difference is exact, because it is small. The rounding error of the following sum goes into the
+            // carry.
             let rest = (-turns).mul_add(TAU, self.part);
             (self.part, self.carry) = sum(rest, self.carry - turns * TAU_REST);
         }

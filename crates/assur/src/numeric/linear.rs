@@ -25,7 +25,8 @@ pub(crate) fn solve_positive_definite<const N: usize>(
 }
 
 /// Least-squares solution for N unknowns by QR factorization; the normal equations would lose half of the digits. A row
-/// holds the N coefficients of an equation, then its right-hand side. None if the columns are dependent.
+/// holds the N coefficients of an equation, then its right-hand side. None if the columns are dependent or there are
+/// fewer than N rows.
 pub(crate) fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> Option<[f64; N]> {
     if rows.len() < N {
         return None;
@@ -44,7 +45,6 @@ pub(crate) fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> Option<
     solution.iter().all(|x| x.is_finite()).then_some(solution)
 }
 
-/// Rank of a matrix.
 pub(crate) fn rank<const N: usize>(matrix: [[f64; N]; N]) -> usize {
     let factors = DMatrix::from_fn(N, N, |row, column| matrix[row][column]).full_piv_lu();
     let pivots = factors.u().diagonal().abs();

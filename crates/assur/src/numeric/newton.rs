@@ -5,7 +5,8 @@
 pub(crate) const MAX_STEPS: usize = 12;
 /// Maximum number of steps from a drawing, which may be far from a solution.
 pub(crate) const MAX_STEPS_FROM_DRAWING: usize = 40;
-/// Largest predicted next step, relative to the unknowns, that would be only rounding and is not worth taking.
+/// If the predicted next step, relative to the unknowns, is at most this, the error is only rounding and the step is
+/// not taken.
 const NEGLIGIBLE_STEP: f64 = 1e-17;
 
 /// Applies steps until `is_last` holds for the sizes of the last step and of the step before it. `step` applies one
@@ -67,7 +68,7 @@ mod tests {
         assert_eq!(descended(3.0, 7.0, |_| None), (3.0, 7.0));
     }
 
-    /// √2 from 1 by steps of ½, 1/12, 1/408 and 1/470832: the error after the fourth step is only rounding.
+    /// √2 from 1 by steps of ½, 1/12, 1/408 and 1/470832. An error of 1.6e-12 is left; the fifth step removes it.
     #[test]
     fn a_square_root() {
         let (mut x, mut steps) = (1.0_f64, Vec::new());

@@ -132,7 +132,6 @@ mod tests {
         }
     }
 
-    /// 1 + 2x + 3x² at 2 is 1 + 4 + 12.
     #[test]
     fn the_value_of_a_polynomial() {
         assert_eq!(value(&[1.0, 2.0, 3.0], 2.0), 17.0);

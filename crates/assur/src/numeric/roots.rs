@@ -102,7 +102,6 @@ mod tests {
         }
     }
 
-    /// The greatest double whose square is at most 2 lies next to one whose square is greater.
     #[test]
     fn bisection_ends_at_neighbouring_doubles() {
         let found = bisect([0.0, 2.0], |x| x * x <= 2.0);

@@ -9,7 +9,7 @@ pub(crate) const EXACT: f64 = 1e-15;
 pub(crate) const CONVERGED: f64 = 1e-14;
 
 /// Rounding error of some thousands of operations, or of some dozens with a condition number of 100. A pivot below this
-/// counts as zero, and so does the sine of the angle between directions, which are then parallel.
+/// counts as zero. Directions count as parallel if the sine of the angle between them is below this.
 pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 
 /// Relative distance within which points of a drawing, or inputs of a turn, coincide: a thousandth of the finest
@@ -31,7 +31,7 @@ pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
 pub(crate) const NEAR: f64 = 1e-3;
 
 /// Maximum absolute value of a length, a coordinate, a time or a load, in any unit. Cubes of ratios of such values are
-/// far from overflow, and sums of such values keep half of the digits.
+/// far from overflow, and a value of 1 added to the maximum keeps seven digits.
 pub const FARTHEST: f64 = 1e9;
 
 /// Range of a positive length, in any unit.

@@ -68,7 +68,7 @@ pub struct Evaluation {
 /// State of the search after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// Number of candidates evaluated so far.
+    /// Number of candidates evaluated so far, including the initial mechanism.
     pub judged: usize,
     /// True if the last candidate was better than the previous best and was accepted.
     pub accepted: bool,

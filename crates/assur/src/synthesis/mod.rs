@@ -1,4 +1,4 @@
-//! Dimensions for a wanted motion.
+//! Dimensional synthesis: dimensions of a mechanism for a wanted motion.
 
 pub mod dwell;
 pub mod four_bar;

@@ -8,8 +8,8 @@ use crate::sorting::extremes;
 use crate::tolerance;
 
 impl Motion {
-    /// Specification of a driver for a link of [`Mechanism::drivable`]: the driver it already has, a crank, or a slide
-    /// over its present range, at the rate 1. None if the link cannot drive or does not move.
+    /// Specification of a driver for a link of [`Mechanism::drivable`]: the driver that the link already has, a crank,
+    /// or a slide over its present range, each at the rate 1. None if the link cannot drive or does not move.
     ///
     /// # Errors
     /// The motion has too many turns to be searched for the range of a slide.
@@ -59,7 +59,8 @@ impl Motion {
         });
         let limits = turning_points(self, &|input| coordinate(input).ok(), mechanism.size())?;
         let limits = limits.into_iter().map(|limit| limit.value);
-        // A dead point has a position but no derivative, so the ends of the arcs are added to the limits.
+        // Dead points and change points have positions, but may have no derivatives: their positions are added to the
+        // limits.
         let ends = self.cycle.arcs().iter().flatten().copied();
         let ends = ends.chain(self.change_points.iter().copied());
         let ends = ends.chain([self.drawn_input]).filter_map(|input| {
@@ -72,8 +73,8 @@ impl Motion {
         Ok(moves.then_some(range))
     }
 
-    /// Returns the linkage with a new rate of a further driver, given by its index, starting from the pose at an input
-    /// or, if there is none, from the drawn pose.
+    /// Returns the linkage with a new rate of a driver other than the first, given by its index. The linkage starts
+    /// from the pose at an input or, if there is none, from the drawn pose.
     ///
     /// # Errors
     /// The defects of the linkage at the new rate.
@@ -100,7 +101,7 @@ impl Motion {
     /// new driver, the linkage starts from a pose next to it.
     ///
     /// # Errors
-    /// The defects of the linkage with the new driver.
+    /// The defects of the linkage with the new driver; empty if there is no pose at the input or next to it.
     pub fn driven_by(&self, driver: &DriverSpec, input: f64) -> Result<Changed, Vec<Defect>> {
         let mut found = Err(Vec::new());
         let offsets = INPUT_STEPS.into_iter().flat_map(|step| [step, -step]);

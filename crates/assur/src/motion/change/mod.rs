@@ -17,7 +17,7 @@ pub struct Changed {
     pub motion: Motion,
     /// Input of the new pose: the previous input if possible.
     pub input: f64,
-    /// True if the input gave way in a part of the change, or if a new driver has a dead point at the given input.
+    /// True if the input gave way during the change, or if a new driver starts from a pose next to the given one.
     pub gave_way: bool,
 }
 
@@ -34,7 +34,7 @@ pub enum Refusal {
     Unposed,
     /// The loop opens before the value is reached.
     LoopOpen {
-        /// Last possible value, rounded to its known digits.
+        /// Last possible value, rounded to the accuracy to which it is found.
         last: f64,
         /// Difference between the wanted and the last possible value.
         by: f64,
@@ -47,8 +47,8 @@ pub enum Refusal {
     Defects(Vec<Defect>),
 }
 
-/// Resolution to which the last possible value is found, as a fraction of the dimension's range. The value is then
-/// rounded to a multiple of this resolution, itself rounded up to a power of ten.
+/// Resolution to which the last possible value is found, as a fraction of the dimension's range. The value is rounded
+/// to a multiple of the smallest power of ten that is not below this resolution.
 const RESOLUTION: f64 = 2e-4;
 /// Steps by which the input gives way, relative to the span of the input. When the input is moved back, the search ends
 /// once a step no longer than the first of these fails.
@@ -195,7 +195,7 @@ impl Motion {
     fn arrived(&self, path: &Path) -> Result<Changed, Refusal> {
         let mechanism = Mechanism::new(path.here.spec()).map_err(Refusal::Defects)?;
         let motion = Self::new(mechanism);
-        // If the crank turns through more than one revolution, its angle alone does not determine the pose.
+        // If the motion takes more than one turn, the crank angle alone does not determine the pose.
         let input = path.here.input();
         let distance = (motion.cycle.wrap(input) - motion.drawn_input).abs();
         let is_drawn = distance <= tolerance::COINCIDENT * motion.mechanism.span();

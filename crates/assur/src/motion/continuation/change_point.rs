@@ -1,4 +1,4 @@
-//! Change points of a followed motion: links come into line and pass through.
+//! Change points of a followed motion: links come into line, and the motion continues.
 
 use super::knots::{Knots, MAX_TURN};
 use super::{Continuation, Prediction};
@@ -9,11 +9,11 @@ use crate::{Jet, tolerance};
 /// Distance from a change point, relative to the span of the input, within which the margins ([`State::margins`]) lose
 /// too many digits. Poses ahead are also probed at this distance.
 pub(super) const PROBE_DISTANCE: f64 = 1e-5;
-/// Maximum relative deviation, just beyond a change point, of the quantity under a square root from its Taylor series.
+/// Maximum relative deviation of the quantity under a square root from its Taylor series, just beyond a change point.
 /// The deviation is usually far smaller; a larger one indicates another singularity nearby.
 const MAX_DEVIATION: f64 = 0.1;
 
-/// A change point: steps of the plan whose links come into line at the same input and pass through.
+/// A change point, with the steps of the plan whose links come into line at its input.
 pub(super) struct ChangePoint {
     input: f64,
     steps: Vec<StepId>,
@@ -89,7 +89,6 @@ impl Continuation<'_> {
         self.repeats = self.input;
     }
 
-    /// True if the assembly sign of a step changes at its change points.
     fn changes_sign(&self, step: StepId) -> bool {
         self.mechanism.steps()[step].passes_change_point()
     }
@@ -109,7 +108,7 @@ impl Continuation<'_> {
         state
     }
 
-    /// Input just ahead at which the links of a step come into line and pass through.
+    /// Input of a change point of a step just ahead; none if there is none.
     fn in_line_ahead(&self, step: StepId, sense: f64) -> Option<f64> {
         let window = tolerance::NEAR * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
@@ -131,7 +130,7 @@ impl Continuation<'_> {
                 (second > 0.0).then_some(input - slope / second)
             };
             let mut input = minimum(self.input, [1, 2].map(|order| margin.derivative(order)))?;
-            // From so near, Newton's method converges in four steps.
+            // At this small distance Newton's method converges in four steps.
             for _ in 0..4 {
                 if !ahead(&input) {
                     return None;
@@ -146,7 +145,7 @@ impl Continuation<'_> {
         minima.min_by(|a, b| (a * sense).total_cmp(&(b * sense)))
     }
 
-    /// True if the links of a step come into line in a pose and pass through.
+    /// True if a pose is a change point of a step.
     fn is_in_line(&self, step: StepId, input: f64, state: &State<KNOWN>) -> bool {
         let same = tolerance::COINCIDENT * self.mechanism.span();
         let placing = &self.mechanism.steps()[step];
@@ -171,7 +170,7 @@ impl Continuation<'_> {
         closed.map_or_else(Vec::new, |closed| closed.change_points(around))
     }
 
-    /// Passes a change point. Returns false if the other steps cannot be certified.
+    /// Passes a change point. Returns false if the step of the input across it is not certified.
     pub(super) fn pass_change_point(
         &mut self,
         found: ChangePoint,
@@ -198,10 +197,10 @@ impl Continuation<'_> {
         true
     }
 
-    /// Solves the trial pose beyond a change point, with the signs that are valid there. This pose is as far from the
-    /// change point as the current pose or, if nearer, the input at which the motion may repeat, but at least
-    /// [`PROBE_DISTANCE`] of the span. Returns the pose at the change point and the input of the trial pose; None if
-    /// the step is not certified.
+    /// Solves the trial pose beyond a change point, with the signs that are valid there. Its distance from the change
+    /// point is that of the current pose or, if less, that of the next input at which the motion may repeat, but at
+    /// least [`PROBE_DISTANCE`] of the span. Returns the pose at the change point and the input of the trial pose; None
+    /// if the step is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

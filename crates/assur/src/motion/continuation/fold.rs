@@ -1,10 +1,10 @@
 //! Folds of a group: poses in which two of its assemblies meet and the driver must turn back. The poses of a group with
-//! their inputs form a curve that is smooth at a fold. A fold is a simple root of the input's rate along this curve,
-//! and so is found as exactly as a solution of the equations.
+//! their inputs form a curve that is smooth at a fold. A fold is a simple root of the input's rate along this curve, so
+//! it is found as accurately as a solution of the equations.
 //!
-//! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, and Newton's method
-//! across it. Two branches may come very close without meeting; a jump from one to the other changes the sign of the
-//! determinant of the equations bordered by the tangent.
+//! The curve is followed by Keller's pseudo-arclength continuation: a step along the tangent, then Newton's method in
+//! the plane normal to the tangent. Two branches may come very close without meeting. A jump from one to the other is
+//! detected: it changes the sign of the determinant of the equations bordered by the tangent.
 
 use std::cell::{Cell, RefCell};
 
@@ -21,7 +21,8 @@ use crate::{Jet, tolerance};
 pub(super) const MAX_TRIES: usize = 48;
 /// Maximum uncertainty of a point due to rounding, relative to the step: far below the maximum turn of the tangent.
 const MAX_UNCERTAINTY: f64 = 0.02;
-/// Minimum cosine of the turn of the tangent in a step. Over a turn of 26° the curve is nearly circular.
+/// Minimum cosine of the angle between the tangents at the ends of a step. Over a turn of 26° the curve is nearly
+/// circular.
 const MIN_COSINE: f64 = 0.9;
 
 /// Curve of the poses of a group. Its coordinates are the unknowns, scaled to unit size, followed by the scaled input.
@@ -32,10 +33,8 @@ struct Curve<'a> {
     state: RefCell<Predictor>,
 }
 
-/// A point on the curve.
 struct CurvePoint {
     at: DVector<f64>,
-    /// Unit tangent.
     tangent: DVector<f64>,
     /// Sign of the determinant of the equations bordered by the tangent.
     determinant_sign: f64,
@@ -110,7 +109,6 @@ impl Curve<'_> {
         self.input_unit() * point.at[point.at.len() - 1]
     }
 
-    /// Rate of the input along the curve.
     fn rate(&self, point: &CurvePoint) -> f64 {
         point.tangent[point.tangent.len() - 1]
     }
@@ -169,7 +167,7 @@ impl Curve<'_> {
         })
         .ok()?;
         let (bordered, solution, is_redundant, uncertainty) = found?;
-        // With redundant equations the sign means nothing: other equations may be dropped at the next point.
+        // With redundant equations the sign is meaningless: other equations may be dropped at the next point.
         let determinant_sign = if is_redundant {
             1.0
         } else {
@@ -183,7 +181,6 @@ impl Curve<'_> {
         })
     }
 
-    /// The equations of the group at a point, linearized.
     fn linearized(&self, at: &DVector<f64>) -> Option<Linearized> {
         let Continuation {
             mechanism,

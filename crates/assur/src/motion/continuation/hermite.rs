@@ -3,7 +3,8 @@
 /// Taylor coefficients of a function at an end, orders 0 to 3.
 pub(super) type Taylor = [f64; 4];
 
-/// Values of several Hermite polynomials at an input. Each end has its input and the coefficients of all functions.
+/// Values of several Hermite polynomials at an input; beyond an end, their values at this end. Each end is given by its
+/// input and the coefficients of all functions.
 pub(super) fn interpolated<'a>(
     [(from, start), (to, end)]: [(f64, &'a [Taylor]); 2],
     input: f64,
@@ -17,8 +18,8 @@ pub(super) fn interpolated<'a>(
     })
 }
 
-/// Weights of the Taylor coefficients of one end in the interpolation, at the fraction `u` of `width` from this end. As
-/// polynomials in `u`, they vanish with three derivatives at the other end.
+/// Weights of the Taylor coefficients of one end in the interpolation, at the fraction `u` of `width` from this end. At
+/// the other end the weights and their first three derivatives are zero.
 fn weights(u: f64, width: f64) -> [f64; 4] {
     let rest = (1.0 - u).powi(4);
     let x = u * width;
@@ -36,7 +37,6 @@ fn weights(u: f64, width: f64) -> [f64; 4] {
 mod tests {
     use super::{Taylor, interpolated};
 
-    /// Polynomials up to degree 7 are reproduced.
     #[test]
     fn polynomials_are_kept() {
         let ends = [0.4_f64, 0.7];
@@ -75,7 +75,6 @@ mod tests {
         }
     }
 
-    /// At the ends, and beyond them, the values of the ends.
     #[test]
     fn beyond_an_end_its_value_stays() {
         let [start, end]: [[Taylor; 1]; 2] = [[[2.0, 5.0, 7.0, 1.0]], [[3.0, -4.0, 1.0, 9.0]]];

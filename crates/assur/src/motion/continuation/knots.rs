@@ -18,7 +18,7 @@ const MAX_INTERVAL_RATIO: f64 = 2.5;
 #[derive(Clone, Debug, Default)]
 pub(in crate::motion) struct Knots {
     list: Vec<Knot>,
-    /// Number of knots before each cell and, last, of all knots: an index for look-up in constant time.
+    /// Index for look-up in constant time: the number of knots before each cell and, as its last element, of all knots.
     /// [`Knots::index`] divides the range into as many equal cells as there are knots.
     counts_before: Vec<usize>,
     /// Cells per unit of input; `first` is the input at which the cells begin.
@@ -26,7 +26,7 @@ pub(in crate::motion) struct Knots {
     first: f64,
     /// Square roots of steps near change points, signed so that the roots are smooth there.
     smooth_roots: Vec<SmoothRoot>,
-    /// Maximum distance between neighbouring knots for a guess to be interpolated between them.
+    /// Maximum distance between neighbouring knots of a motion with groups.
     longest: f64,
     /// Minimum and maximum of each step's first margin ([`State::margins`]) over all samples, including dropped ones.
     margins: List<StepId, [f64; 2]>,
@@ -87,7 +87,6 @@ impl Knots {
         }
     }
 
-    /// Extends the ranges of the margins to include the ranges of other samples.
     fn include_margins(&mut self, others: impl Iterator<Item = [f64; 2]>) {
         if self.margins.len() == 0 {
             self.margins = others.collect();
@@ -122,7 +121,6 @@ impl Knots {
         self.list.len()
     }
 
-    /// Adds the knots of another motion, followed over other inputs.
     pub(in crate::motion) fn join(&mut self, mut other: Self) {
         self.include_margins(other.margins.iter().copied());
         self.list.append(&mut other.list);
@@ -153,7 +151,6 @@ impl Knots {
         self.include_margins(back.margins.iter().copied());
     }
 
-    /// Shifts the inputs of all knots and smooth roots.
     pub(in crate::motion) fn shift(&mut self, by: f64) {
         for knot in &mut self.list {
             knot.input += by;
@@ -167,7 +164,8 @@ impl Knots {
         self.list[self.index_at(input)].signs[step]
     }
 
-    /// Adds the smooth root of a change point, and copies of it one period away that reach into the full cycle.
+    /// Adds the smooth root of a change point. In a full cycle, also adds its copies one period away that cover an end
+    /// of the cycle.
     pub(in crate::motion) fn add_smooth_root(&mut self, smooth: SmoothRoot, cycle: &Cycle) {
         if let Some(period) = cycle.period().filter(|_| cycle.is_full()) {
             let images = [-period, period].map(|by| smooth.shifted(by)).into_iter();
@@ -185,9 +183,9 @@ impl Knots {
         let (Some(last), Some(first)) = (self.list.pop(), self.list.first()) else {
             return;
         };
-        // Gain of each angle, rounded to whole turns: near a singular pose the two knots differ in the last digits. A
-        // wheel that moves nothing else may have gained a fraction of a turn; its angle is computed from the wheel that
-        // drives it.
+        // Change of each angle over the period, rounded to whole turns: near a singular pose the two knots differ in
+        // the last digits. A wheel that moves nothing else may have gained a fraction of a turn; its angle is computed
+        // from the wheel that drives it.
         let pairs = last.orientations.iter().zip(first.orientations.iter());
         let gains = pairs.map(|(b, a)| crate::angle::whole_turns(b.angle - a.angle));
         let gains: Vec<f64> = gains.collect();

@@ -46,7 +46,6 @@ pub(super) enum End {
     Dead(DeadPoint),
 }
 
-/// State of the continuation.
 pub(super) struct Continuation<'a> {
     mechanism: &'a Mechanism,
     signs: AssemblySigns,
@@ -55,11 +54,10 @@ pub(super) struct Continuation<'a> {
     here: Predictor,
     trial: Predictor,
     enclosure: Enclosure,
-    /// Orientations of the bodies in the current pose.
     orientations: List<BodyId, Orientation>,
     /// Bodies whose whole turns are tracked.
     tracked: Vec<BodyId>,
-    /// Signed roots around the change points already passed, as exact as the nearby poses.
+    /// Smooth roots near the change points already passed. They are as accurate as the poses near these points.
     pub(super) smooth_roots: Vec<SmoothRoot>,
     /// The next input at which the motion may repeat.
     repeats: f64,
@@ -75,7 +73,7 @@ struct Prediction<'a> {
 
 impl<'a> Prediction<'a> {
     /// Predicts the pose at the distance `width` from here. The orientations are kept: in a certified step no body
-    /// makes half a turn, so they still give the whole turns.
+    /// makes half a turn, so the whole turns still follow from them.
     fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();
@@ -165,8 +163,8 @@ impl<'a> Continuation<'a> {
                 target
             };
             let tried = width.min(left);
-            // Work is charged by length: the step itself costs the same at any length, but a longer one has more
-            // samples to read.
+            // Work is counted by the length of the step. Solving costs the same at any length, but more samples are
+            // later read in a longer step.
             let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(samples * bodies) else {
@@ -223,10 +221,10 @@ impl<'a> Continuation<'a> {
         None
     }
 
-    /// Solves the trial pose at the end of a certified step.
+    /// Certifies the motion from the current input to `next`, and solves the trial pose there.
     ///
     /// # Errors
-    /// The first step of the plan that is not certified.
+    /// The step of the plan that is not certified, turns a body too far, has no solution, or leaves its enclosure.
     fn step_to(&mut self, next: f64) -> Result<(), StepId> {
         let Self {
             mechanism,
@@ -269,7 +267,6 @@ impl<'a> Continuation<'a> {
         knots.push(self.input, &self.signs, pose, turned);
     }
 
-    /// Makes the trial pose the current one.
     fn advance(&mut self, next: f64) {
         self.input = next;
         std::mem::swap(&mut self.here, &mut self.trial);

@@ -16,7 +16,8 @@ impl Continuation<'_> {
     /// Nearest fold of any group just ahead. Near a fold the rates of dependent groups grow without bound, so a
     /// dependent group may be the first one that cannot be certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        // Steps shorten in proportion to the distance from a fold. If steps are short, the fold is within this window.
+        // Near a fold, steps shorten in proportion to their distance from it. Steps this short mean that the fold is
+        // within this window.
         let window = tolerance::DISTINCT * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();
@@ -57,7 +58,8 @@ impl Continuation<'_> {
         matches!(solved, Err((_, Cause::Locked { .. })))
     }
 
-    /// The dead point of a dyad within the shortest step that could be tried.
+    /// The nearest obstacle just ahead, after the shortest step failed at a dyad: a dead point or the end of a range.
+    /// If neither is found, the motion ends near a singular pose.
     pub(super) fn obstacle(&self, step: StepId, sense: f64) -> DeadPoint {
         // A window so narrow contains only one dead point.
         let window = PROBE_DISTANCE * self.mechanism.span();

@@ -99,7 +99,6 @@ impl Motion {
         Ok(multiples.into_iter().filter_map(scaled).collect())
     }
 
-    /// The sample inputs of each arc.
     fn grids(&self) -> Result<Vec<Vec<f64>>, TooManyTurns> {
         grids(self.cycle(), &|arc| self.mechanism().in_line(arc))
     }
@@ -113,7 +112,7 @@ impl Motion {
     }
 
     /// Scale of tolerances for a quantity: 1 for an angle, and the size of the mechanism for a coordinate. A distance
-    /// may lie within a small part of the drawing; its scale is the minimum scale of lengths.
+    /// may be one of a small part of the drawing, so its scale is the smallest of [`Self::unit_within`].
     pub(super) fn unit(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
@@ -127,13 +126,15 @@ impl Motion {
     }
 
     /// Scale of tolerances for lengths within a part of the drawing: the size of the part, but at least a thousandth of
-    /// the size of the drawing, because points are rounded to 10⁻¹² of the size of the drawing.
+    /// the drawing's size. The tolerance, 10⁻⁹ of the scale, is then not below the rounding error of points, which is
+    /// 10⁻¹² of the drawing's size.
     pub(super) fn unit_within(&self, part: f64) -> f64 {
         part.max(1e-3 * self.mechanism().size())
     }
 
-    /// Features of a folded angle and of its two derivatives, from those of the unfolded angle. Folding may swap maxima
-    /// and minima. Zeros of the angle itself are dropped: the folded angle has a kink there.
+    /// Features of a folded angle and of its two derivatives, from those of the unfolded angle. Folding may turn a
+    /// maximum into a minimum and vice versa. Zeros of the angle itself are dropped, because the folded angle has a
+    /// kink there.
     fn folded(&self, quantity: Quantity, found: [Features; 3]) -> [Features; 3] {
         let with_sense = |extremum: Extremum| {
             let pose = self.pose::<3>(extremum.input);
@@ -184,8 +185,8 @@ impl Motion {
 }
 
 /// Finds zeros and extrema of quantities and of their first two derivatives with respect to time over a cycle. `motion`
-/// gives the quantities at a crank angle φ₁ from the line of the frame. `units` gives the scale of tolerances for each
-/// quantity: 1 for an angle, a length of the mechanism for a coordinate.
+/// gives the quantities at a crank angle φ₁, measured from the line of the frame. `units` gives the scale of tolerances
+/// for each quantity: 1 for an angle, a length of the mechanism for a coordinate.
 ///
 /// Each zero or extremum is a root of the quantity or of its next derivative, found by safeguarded Newton steps with
 /// exact derivatives. A constant quantity has a level instead.

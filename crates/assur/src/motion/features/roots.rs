@@ -116,7 +116,7 @@ mod tests {
 
     use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-    /// sin(φ − 1) over a turn from −π, in steps of 30°.
+    /// Sample of sin(φ − 1).
     fn sine(input: f64) -> Option<Sample> {
         let (sin, cos) = (input - 1.0).sin_cos();
         let f = [sin, cos, -sin];
@@ -171,7 +171,6 @@ mod tests {
         }
     }
 
-    /// Samples without a pose divide the motion: the root between them is not sought.
     #[test]
     fn no_root_is_sought_where_there_is_no_pose() {
         let cycle = Cycle::swinging([-1.0, 2.0], None);

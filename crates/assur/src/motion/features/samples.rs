@@ -117,7 +117,8 @@ pub(super) fn closed(
     // If no sample is at or after the start, all samples are before it.
     let (before, after) = samples.split_at(middle.unwrap_or(samples.len()));
     let moved = before.iter().map(|sample| sample.and_then(a_cycle_later));
-    // The value at the end is computed, not shifted: inputs before the start may already belong to the next cycle.
+    // The value at the end is computed, not shifted by the growth: samples before the start may have been wrapped to
+    // the end of the cycle, and the growth is then zero.
     let closing = after.first().map(|first| {
         let first = (*first)?;
         let input = first.input + (end - start);

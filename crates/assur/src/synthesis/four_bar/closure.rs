@@ -1,4 +1,4 @@
-//! Closure of the loop: the gap that output and input leave for the coupler, and its residual for least squares.
+//! Closure of the loop: the gap that output and input leave for the coupler, and the residual for least squares.
 
 use crate::sorting::sort_by;
 
@@ -117,8 +117,8 @@ mod tests {
         assert!(task.closing_inputs(0, 2.0, 3.0).is_empty());
     }
 
-    /// Output 3 at 90° leaves p = (1, −3). An input along the frame, z₃, closes for (1 − z₃)² + 9 = z₁²: with z₁² =
-    /// 9.25 for 1/2 and 3/2, with z₁ = 3 for 1 only, and with z₁ = 5 for 5 (and −3).
+    /// Output 3 at 90° leaves p = (1, −3). An input z₃ along the frame closes the loop if (1 − z₃)² + 9 = z₁². For z₁²
+    /// = 9.25, z₃ is 1/2 or 3/2. For z₁ = 5 it is 5 (or −3). For z₁ < 3 there is none.
     #[test]
     fn inputs_that_close_are_the_positive_roots_of_a_quadratic() {
         let frame = Frame {
@@ -141,7 +141,7 @@ mod tests {
         assert!(task.closing_inputs(1, 5.0, 3.0).is_empty());
     }
 
-    /// e₂ × r with e₂ = (0, 1) and r = (4, −3) is −4. The length of the output does not change it.
+    /// e₂ × r with e₂ = (0, 1) and r = (4, −3) is −4, whatever the length of the output.
     #[test]
     fn the_side_of_the_joint_does_not_depend_on_the_length_of_the_output() {
         let at = Direction {

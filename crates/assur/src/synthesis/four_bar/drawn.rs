@@ -1,4 +1,4 @@
-//! Coordinates of a solution for a drawing: its links in a given position, and the linkage itself.
+//! A solution as it is drawn: points of its links at the wanted angles of a position, and its linkage specification.
 
 use std::f64::consts::PI;
 
@@ -161,7 +161,6 @@ mod tests {
         }
     }
 
-    /// The linkage has the same joints, in the assembly with the wanted output.
     #[test]
     fn the_linkage_is_drawn_in_the_first_position() {
         let frame = Frame {

@@ -24,7 +24,7 @@ use crate::tolerance;
 pub enum TwoPositions {
     /// A one-parameter family of linkages.
     Family(Family),
-    /// Any output and input will do: the positions are mirror images in the line of the frame.
+    /// Linkages with any lengths of output and input: the positions are mirror images in the line of the frame.
     Any,
     /// No linkage: no point of this line has positive lengths.
     None(Line),
@@ -106,7 +106,7 @@ pub enum MemberError {
     Same(f64),
 }
 
-/// A member of a family at which a verdict changes.
+/// A member of a family at which the Grashof type, or the assembly of a position, changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
     /// Parameter of the member.
@@ -321,8 +321,9 @@ impl Family {
 
     /// All members at which the Grashof type, or the assembly at a position of the task, changes, in order of the
     /// parameter. If the task has only the family's two positions, Grashof type and [`Passage`](super::Passage) change
-    /// nowhere else. Each change is on a straight line in the plane of 1/z₂ and 1/z₃: z₁ = |1 ± z₂ ± z₃| becomes one
-    /// when z₁² is eliminated by the equation of the family's first position; C on the line BD fixes z₃.
+    /// nowhere else. Each change is on a straight line in the plane of 1/z₂ and 1/z₃. The Grashof type changes at z₁ =
+    /// |1 ± z₂ ± z₃|. The closure equation of the family's first position eliminates z₁² and leaves a linear equation.
+    /// The assembly changes where C is on the line BD, which fixes z₃.
     pub fn changes(&self) -> Vec<Change> {
         let [first, _] = self.directions();
         let lines = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[s, t]| {

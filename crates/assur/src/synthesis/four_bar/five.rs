@@ -34,8 +34,8 @@ pub enum StartsError {
     Degenerate,
 }
 
-/// Finds all linkages through the five positions of a task, at most three, by increasing size. φ₂ and φ₃ of the task
-/// are measured from unknown starting angles, which are found together with the lengths.
+/// Finds all linkages through the five positions of a task, at most three, by increasing √(z₂² + z₃²). φ₂ and φ₃ of the
+/// task are measured from unknown starting angles, which are found together with the lengths.
 ///
 /// # Errors
 /// The number of positions is not five, or the positions are special.

@@ -46,7 +46,7 @@ pub struct ErrorCurve {
     pub assembly: Assembly,
     /// Samples at even steps of x, including the ends.
     pub samples: Vec<ErrorSample>,
-    /// The sample with the greatest error of y, sought between the even steps as well; none if no sample is reached.
+    /// The point with the greatest error of y, which may lie between the samples; none if no sample is reached.
     pub greatest: Option<ErrorSample>,
     /// True if the linkage covers the whole interval without a break.
     pub complete: bool,
@@ -246,7 +246,8 @@ impl<'a> Branch<'a> {
         branch
     }
 
-    /// The arc of the cycle that contains an angle of the input, shifted by whole turns to this angle.
+    /// The arc of the cycle that contains an angle of the input, shifted by whole turns to this angle; unlimited if the
+    /// input turns fully.
     fn arc(&self, input: f64) -> Option<[f64; 2]> {
         let cycle = self.linkage.cycle();
         if cycle.is_full() {

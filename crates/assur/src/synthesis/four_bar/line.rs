@@ -84,8 +84,7 @@ mod tests {
         assert_eq!(rising.meet(line(2.0, -2.0, 1.0)), None);
     }
 
-    /// φ₂ from 60° to −60° leaves its cosine: u cos φ₃ alone is left, (1 − 1/2) u = 1/2 + 1/2, so z₂ is 1/2 for every
-    /// z₃.
+    /// φ₂ from 60° to −60° does not change cos φ₂, so the equation is (1 − 1/2) u = 1/2 + 1/2: z₂ is 1/2 for every z₃.
     #[test]
     fn a_mirrored_output_leaves_the_length_of_the_input_free() {
         let frame = Frame {

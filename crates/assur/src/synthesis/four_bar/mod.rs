@@ -2,8 +2,8 @@
 //!
 //! The loop equation is l₁e₁ + l₂e₂ + l₃e₃ = l₀e₀, with l₀ the frame, l₁ the coupler, l₂ the output and l₃ the input.
 //! The unit vector eᵢ points along φᵢ, measured from the x-axis. Only the proportions zᵢ = lᵢ/l₀ matter. A position is
-//! a pair (φ₂, φ₃). The coupler's angle is unknown and is eliminated exactly. With r = e₀ − z₂e₂ − z₃e₃ the gap left
-//! for the coupler, |z₁e₁ − r|² is least if e₁ points along r; then
+//! a pair (φ₂, φ₃). The coupler's angle is unknown and is eliminated exactly. Let r = e₀ − z₂e₂ − z₃e₃ be the gap left
+//! for the coupler. |z₁e₁ − r|² is least if e₁ points along r; then
 //!
 //! J = (|r| − z₁)²,  φ₁ = arg r.
 //!
@@ -101,7 +101,7 @@ pub struct Solution {
     pub output_start: f64,
     /// φ₃₀, the starting angle to be added to every φ₃ of the task.
     pub input_start: f64,
-    /// Residual at each position.
+    /// Coupler angle and residual at each position.
     pub closures: Vec<Closure>,
     /// The verdict, or the reasons why these lengths form no linkage.
     pub verdict: Result<Verdict, Vec<Invalid>>,
@@ -136,7 +136,7 @@ impl Solution {
             .sum()
     }
 
-    /// The greatest |residual| of a position, in lengths of the frame.
+    /// The greatest |residual| over all positions, in lengths of the frame.
     pub fn worst_residual(&self) -> f64 {
         max_abs(self.closures.iter().map(|closure| closure.residual))
     }

@@ -10,7 +10,7 @@ use super::{
 /// The linkages through the positions of a task.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Options {
-    /// A one-parameter family: for two positions, or three if one follows from the others.
+    /// A one-parameter family: for two positions, or for three if the third adds no condition.
     Family(Family),
     /// Finitely many linkages: for three positions, or five with free starting angles.
     Exact(Vec<Solution>),
@@ -108,7 +108,7 @@ impl Options {
         self.order().first().copied().unwrap_or(0)
     }
 
-    /// The solutions in the order of their indices; minima by increasing ΣJ.
+    /// The solutions in the order of their indices; minima by increasing ΣJ. Empty for a family.
     pub fn solutions(&self) -> Vec<&Solution> {
         match self {
             Self::Family(_) => Vec::new(),

@@ -139,7 +139,6 @@ mod tests {
         }
     }
 
-    /// The greatest of the errors 0° and 10° of two positions counts.
     #[test]
     fn the_worst_position_counts() {
         let task = task(&[[90.0, 180.0], [80.0, 180.0]]);

@@ -73,13 +73,13 @@ impl Requirements {
 /// Criteria of the ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Criterion {
-    /// Smallest worst residual first.
+    /// The smallest worst residual first.
     Closure,
     /// The greatest minimum transmission angle between the positions first.
     Transmission,
     /// The greatest minimum transmission angle over the whole motion first.
     TransmissionOverall,
-    /// Smallest ratio of the longest to the shortest link first.
+    /// The smallest ratio of the longest to the shortest link first.
     SizeRatio,
 }
 

@@ -1,11 +1,10 @@
-//! Tasks and solutions of several tests.
+//! Sample tasks, proportions and angles for tests.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::theorems::Angles;
 use super::{Frame, Position, Proportions, Task};
 
-/// A frame of length 1 along the x-axis.
 const FRAME: Frame = Frame {
     length: 1.0,
     angle: 0.0,
@@ -28,8 +27,8 @@ pub(super) fn proportions(coupler: f64, output: f64, input: f64) -> Proportions 
     }
 }
 
-/// A task of two weighted positions, with the range of the ratios: output 90° and input 180°, then output 180° and input
-/// 0°.
+/// A task of two positions with these weights and bounds of the ratios: output 90° and input 180°, then output 180° and
+/// input 0°.
 pub(super) fn weighted(weights: [f64; 2], ratios: [f64; 2]) -> Task {
     let mut positions = [Position::new(FRAC_PI_2, PI), Position::new(PI, 0.0)];
     for (position, weight) in positions.iter_mut().zip(weights) {

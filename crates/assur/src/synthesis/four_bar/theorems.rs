@@ -102,7 +102,8 @@ impl Angles {
     }
 }
 
-/// The sine of the angle between two links, exactly zero if they are parallel: rounding then gives P and Q no sign.
+/// The sine of the angle between two links, exactly zero if they are parallel, so that rounding does not give P and Q a
+/// sign.
 fn sine(turn: f64) -> f64 {
     let sine = turn.sin();
     if sine.abs() < tolerance::NEGLIGIBLE {
@@ -117,7 +118,8 @@ mod tests {
     use super::*;
     use crate::synthesis::four_bar::samples::angles;
 
-    /// Coupler at 45°, output at 90°, input along the frame: z₁/√2 + z₃ = 1 and z₁/√2 + z₂ = 0, solved for each two.
+    /// Coupler at 45°, output at 90°, input along the frame: z₁/√2 + z₃ = 1 and z₁/√2 + z₂ = 0, solved for each pair of
+    /// unknowns.
     #[test]
     fn two_lengths_are_linear_functions_of_the_third() {
         let (root, half) = (2_f64.sqrt(), 0.5_f64.sqrt());
@@ -135,7 +137,6 @@ mod tests {
         }
     }
 
-    /// Two links in the same or in opposite directions do not determine two lengths.
     #[test]
     fn parallel_links_leave_no_two_lengths() {
         for input in [30.0, 210.0, 390.0] {
@@ -149,7 +150,7 @@ mod tests {
         );
     }
 
-    /// An input along the frame has no component across it: rounding of sin 180° gives P and Q no sign.
+    /// An input along the frame has no component across it: rounding of sin 180° must not give P and Q a sign.
     #[test]
     fn the_sine_of_half_turns_is_exactly_zero() {
         for turns in [0.0, 1.0, -1.0, 2.0, 7.0] {

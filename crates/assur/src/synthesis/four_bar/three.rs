@@ -126,8 +126,7 @@ mod tests {
         ThreePositions::new(&task).unwrap()
     }
 
-    /// The output's angles of [`from_triangles`], given from pivot to joint: z₂ = 3/4 with a negative sign, and z₃ =
-    /// 1/4.
+    /// The output's angles of [`from_triangles`], given from pivot to joint: z₂ is −3/4, and z₃ is 1/4.
     #[test]
     fn an_output_given_in_the_opposite_direction_has_a_negative_length() {
         let positions = [

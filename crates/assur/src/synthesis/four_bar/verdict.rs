@@ -79,7 +79,7 @@ pub(super) fn verdict(
     })
 }
 
-/// Where the positions lie on the motions of a linkage.
+/// Positions on the motions of a linkage: whether and in which order the linkage passes through them.
 struct Way {
     passage: Passage,
     /// The assembly of the positions; none if coupler and output are in line at all of them.
@@ -132,7 +132,7 @@ impl Way {
         if found.passage == Passage::Continuous {
             found.order = met.order();
             found.span = Some(met.span());
-            // If coupler and output are in line at all positions, either name of the assembly will do.
+            // If coupler and output are in line at all positions, the two assemblies do not differ there.
             found.assembly = found.assembly.or(Some(Assembly::First));
         }
         found
@@ -158,8 +158,8 @@ fn arc_of(cycle: &Cycle, input: f64) -> Option<(usize, f64)> {
     None
 }
 
-/// The assembly of a position; none if coupler and output are in line. If the motion takes two turns, the result is the
-/// assembly of one turn, and `input` is shifted into that turn.
+/// The assembly of a position; none if coupler and output are in line. If the motion takes two turns, the result is
+/// always the first assembly, and `input` is shifted into the turn in which this assembly meets the position.
 fn assembly(
     linkage: &FourBar,
     cycle: &Cycle,
@@ -196,9 +196,9 @@ struct Met {
     count: usize,
     last: f64,
     first: f64,
-    /// Sum of the changes of the input from each position to the next, if the input only increases.
+    /// Sum of the increments of the input from each position to the next, if the input only increases.
     up: f64,
-    /// The same sum, positive, if the input only decreases.
+    /// Sum of the decrements, positive, if the input only decreases.
     down: f64,
     /// For an oscillating driver: whether the input increases at every step, and whether it decreases at every step.
     monotone: [bool; 2],

@@ -22,7 +22,7 @@ fn family(positions: [[f64; 2]; 2]) -> Family {
     }
 }
 
-/// φ₂ from 60° to −60° leaves (1 − 1/2) u = 1/2 + 1/2: z₂ is 1/2, and z₃ is free.
+/// With φ₂ from 60° to −60° the line is (1 − 1/2)/z₂ = 1/2 + 1/2: z₂ is 1/2, and z₃ is free.
 #[test]
 fn a_mirrored_output_has_one_length() {
     let family = family([[60.0, 0.0], [-60.0, 60.0]]);
@@ -62,7 +62,7 @@ fn mirrored_positions_suit_any_linkage() {
     assert_eq!(found, TwoPositions::Any);
 }
 
-/// Output and input from 90° to 0° together: −u − v = 0 has no solution with positive lengths.
+/// With output and input both from 90° to 0° the line is −1/z₂ − 1/z₃ = 0, which no positive lengths satisfy.
 #[test]
 fn cosines_that_grow_together_leave_no_linkage() {
     let TwoPositions::None(line) = linkages([[90.0, 90.0], [0.0, 0.0]]) else {

@@ -5,7 +5,6 @@ use crate::numeric::linear::solve_positive_definite;
 use crate::numeric::max_abs;
 use crate::tolerance;
 
-/// State of a descent from one start.
 #[derive(Clone, Debug)]
 pub(super) struct Descent<const N: usize> {
     pub(super) x: Point<N>,
@@ -17,7 +16,6 @@ pub(super) struct Descent<const N: usize> {
 
 /// Initial damping, relative to the greatest diagonal element of the Hessian.
 const FIRST_DAMPING: f64 = 1e-3;
-/// Maximum number of steps.
 const MAX_STEPS: usize = 200;
 /// Maximum change of an unknown, a logarithm or an angle, in one step.
 const MAX_CHANGE: f64 = 0.5;
@@ -113,7 +111,8 @@ mod tests {
     use super::*;
     use crate::synthesis::four_bar::{Frame, Position, Task};
 
-    /// Three poses of the four-bar 1, 4, 3, 4 from triangles, so z₁, z₂ and z₃ are 1, 3/4 and 1/4.
+    /// The finished descent for three poses of the four-bar 1, 4, 3, 4, computed from triangles. The exact z₁, z₂ and
+    /// z₃ are 1, 3/4 and 1/4.
     fn descent(start: [f64; 2], ratios: [f64; 2]) -> (Objective, Descent<2>) {
         let poses = [
             (0.75_f64.atan(), FRAC_PI_2),
@@ -145,7 +144,7 @@ mod tests {
         }
     }
 
-    /// With z₃ of at least 0.3 the exact linkage is out of bounds, and a minimum at this bound is left.
+    /// With z₃ ≥ 0.3 the exact linkage is out of bounds, and the descent ends at a minimum at this bound.
     #[test]
     fn a_length_stays_at_its_bound_if_the_sum_falls_beyond_it() {
         let (objective, descent) = descent([0.8, 0.5], [0.3, 10.0]);

@@ -172,8 +172,8 @@ struct Found<const N: usize> {
     paths: Vec<Vec<Proportions>>,
 }
 
-/// Maximum difference between the ends of two descents to the same minimum. ΣJ is flat at a minimum: rounding of its
-/// value leaves a point half of its digits, and fewer in a long valley.
+/// Maximum difference between the ends of two descents to the same minimum. ΣJ is flat at a minimum. Rounding of its
+/// value leaves only half of the digits of the point, and fewer in a long valley.
 const SAME_END: f64 = 1e-5;
 
 impl<const N: usize> Descents<N> {

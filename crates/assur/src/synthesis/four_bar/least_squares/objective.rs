@@ -1,6 +1,6 @@
-//! ΣJ, the weighted sum of J = (|r| − z₁)² over all positions, with exact first and second derivatives. It depends on
-//! the lengths of output and input and, if free, on their starting angles. The coupler z₁ is eliminated; r is the gap
-//! that output and input leave for the coupler.
+//! ΣJ, the weighted sum of J = (|r| − z₁)² over all positions, with exact first and second derivatives. Here z₁ is the
+//! length of the coupler, and r the gap that output and input leave for it. z₁ is eliminated, so ΣJ depends on the
+//! lengths of output and input and, if free, on their starting angles.
 
 use nalgebra::Complex;
 
@@ -11,7 +11,6 @@ use crate::synthesis::four_bar::{Proportions, Task};
 /// doubling alike.
 pub(super) type Point<const N: usize> = [f64; N];
 
-/// ΣJ of a task.
 #[derive(Clone, Debug)]
 pub(super) struct Objective {
     /// Directions and weight of each position; the greatest weight is scaled to 1.
@@ -20,7 +19,7 @@ pub(super) struct Objective {
     ratios: [f64; 2],
 }
 
-/// ΣJ at a point.
+/// ΣJ and its derivatives at a point, with the best z₁.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Value<const N: usize> {
     /// ΣJ relative to the sum of the weights.
@@ -183,9 +182,9 @@ mod tests {
         }
     }
 
-    /// By ln z₂ the gaps change by (4, −3)·(0, −3)/5 = 9/5 and 3, by ln z₃ by 12/5 and −3, by the angles of output and
-    /// input by 12/5 and 0, and by −9/5 and 0. The mean of 2(|r| − z₁)∂|r| with |r| − z₁ = ±2 is their difference times
-    /// 2.
+    /// Derivatives of the two gaps |r|: with respect to ln z₂, (4, −3)·(0, −3)/5 = 9/5 and 3; to ln z₃, 12/5 and −3; to
+    /// the output's angle, 12/5 and 0; to the input's angle, −9/5 and 0. With |r| − z₁ = ±2, the mean of 2(|r| −
+    /// z₁)∂|r| is twice the difference of the two derivatives.
     #[test]
     fn the_gradient_from_the_changes_of_the_gaps() {
         let found = objective([1.0; 2], Task::RATIOS).at(&[3_f64.ln(), 3_f64.ln(), 0.0, 0.0]);

@@ -1,5 +1,5 @@
 //! Starting points of a search for the least ΣJ: exact solutions for some of the positions, the least-squares solution
-//! of Freudenstein's equations, and a grid. None is random.
+//! of Freudenstein's equations, and a grid. No start is random.
 
 use crate::sorting::sort_by;
 use std::f64::consts::TAU;

@@ -33,13 +33,13 @@ mod tests {
     use super::*;
     use crate::synthesis::four_bar::samples::weighted;
 
-    /// With z₂ = z₃ = 3 the gaps of the two positions are (4, −3) and (1, 0), 5 and 1.
+    /// With z₂ = z₃ = 3 the gaps of the two positions are (4, −3) and (1, 0), of lengths 5 and 1.
     fn surface(weights: [f64; 2], ratios: [f64; 2]) -> Surface {
         Surface::new(&weighted(weights, ratios))
     }
 
-    /// The best coupler 3 leaves 4 + 4; with the weights 3 and 1 the best is 4 and leaves 3·1 + 9; bounded by 2 it
-    /// leaves 9 + 1.
+    /// The best coupler is 3, and ΣJ is 4 + 4. With the weights 3 and 1 the best coupler is 4, and ΣJ is 3·1 + 9. If
+    /// the coupler is at most 2, ΣJ is 9 + 1.
     #[test]
     fn the_surface_is_the_weighted_sum_of_squared_gaps_that_are_left() {
         for (weights, ratios, expected) in [

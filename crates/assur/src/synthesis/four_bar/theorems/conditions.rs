@@ -59,10 +59,10 @@ pub struct Condition {
     /// The unknown concerned, z₂ or z₃ as a function of z₁; none for (13).
     pub about: Option<Unknown>,
     /// The two numbers whose signs are compared. (13): √(1 − (e₂·e₃)²), twice. (33) to (38): the two fractions in the
-    /// printed order, infinite if they divide by zero. Others: P and Q.
+    /// printed order, infinite if their denominator is zero. Others: P and Q.
     pub values: [f64; 2],
-    /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero, which
-    /// counts as either sign: the cases with P ≥ 0 hold if P ≥ 0, the others do not.
+    /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero and counts
+    /// as either sign: the cases that require P ≥ 0 hold if P ≥ 0, the others do not hold.
     pub holds: bool,
     /// True if the condition's intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is
     /// positive for some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
@@ -221,8 +221,8 @@ pub fn theorems(angles: &Angles) -> Option<[Theorem; 5]> {
 }
 
 impl Angles {
-    /// True if some real lengths close the loop, so that e₀ is a linear combination of e₁, e₂ and e₃. None do if these
-    /// three are parallel to each other but not to e₀.
+    /// True if some real lengths close the loop, so that e₀ is a linear combination of e₁, e₂ and e₃. No lengths do if
+    /// these three are parallel to each other but not to e₀.
     fn have_real_lengths(&self) -> bool {
         let across = [self.coupler, self.output, self.input].map(|turn| turn - self.frame);
         let [a, b, c] = across;

@@ -4,11 +4,11 @@ use super::{Angles, Subsystem, System, Unknown, functional, opening, sine, third
 use crate::relation::Relation;
 
 /// Evaluates the relations of the paper at each position, in the paper's order, with the number of the position in the
-/// names. Equation (1), J with its derivatives, and the gap are evaluated for the trial lengths `z`: z₁, z₂, z₃. All
-/// other formulas are evaluated for lengths that close the loop: z₁, and the z₂ and z₃ that follow from it. If
-/// condition (13) fails, these formulas are left out. `length` is l₀. For each position, `best` lists the coupler's
-/// angle with the least residual, and this residual in lengths of the frame. Positions with an angle that is not finite
-/// have no relations.
+/// names. Equation (1), J with its derivatives, and the gap are evaluated for the trial lengths `z`: z₁, z₂, z₃.
+/// Formulas for lengths that close the loop are evaluated for z₁ and for the z₂ and z₃ that follow from it; they are
+/// left out if condition (13) fails. All other formulas depend on the angles alone. `length` is l₀. For each position,
+/// `best` lists the coupler's angle with the least residual, and this residual in lengths of the frame. Positions with
+/// an angle that is not finite have no relations.
 pub fn relations(
     positions: &[Angles],
     z: [f64; 3],
@@ -60,7 +60,6 @@ struct Collected<'a> {
     all: Vec<Relation>,
 }
 
-/// Superscript digits.
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 impl<'a> Collected<'a> {
@@ -130,7 +129,7 @@ impl<'a> Collected<'a> {
         self.same("000.(1)", "l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀, y", y);
     }
 
-    /// Adds (3), its least value and its derivatives (4), and the products of directions.
+    /// Adds (3), its least value over z ≥ 0, its derivatives (4), and the products of directions (6).
     fn functional(&mut self, [z1, z2, z3]: [f64; 3]) {
         if let Some(system) = System::new(&[*self.angles]) {
             let least = system.positive_minimum();
@@ -164,7 +163,7 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// Adds the ranks, and the determinants of the subsystems in z₂, z₃.
+    /// Adds the ranks of the system, and the determinants of its subsystems (7) to (9) in z₂ and z₃.
     fn system(&mut self) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         if let Some(system) = System::new(&[*self.angles]) {
@@ -194,7 +193,8 @@ impl<'a> Collected<'a> {
         );
     }
 
-    /// Adds (5) to (16), (26), (31), (32): formulas for lengths that close the loop.
+    /// Adds (5), (7) to (13), (15), (16), (24), (26) to (28), (31) and (32), with P and Q: formulas for lengths that
+    /// close the loop.
     fn closed(&mut self, by: &Subsystem, z1: f64) {
         let [e12, e13, e23] = [self.dot(1, 2), self.dot(1, 3), self.dot(2, 3)];
         let [e01, e02, e03] = [self.dot(0, 1), self.dot(0, 2), self.dot(0, 3)];
@@ -292,7 +292,7 @@ impl<'a> Collected<'a> {
         }
     }
 
-    /// Adds (17) to (25), (29), (30): signs and ranges.
+    /// Adds (14), (17) to (23), (25), (29) and (30): signs and ranges.
     fn ranges(&mut self, by: &Subsystem, z1: f64) {
         let [[p2, p3], [q2, q3]] = [by.constant, by.slope];
         self.of("000.(17)", "z₂", p2 + q2 * z1, p2 - q2 * z1);

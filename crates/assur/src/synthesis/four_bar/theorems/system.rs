@@ -32,7 +32,7 @@ pub struct System {
 /// The minimum of ΣJ over z ≥ 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositiveMinimum {
-    /// z₁, z₂, z₃; a zero is a length at its bound, and then ΣJ has no minimum over z > 0.
+    /// z₁, z₂, z₃; a zero is a length at its bound. If the rank is three, ΣJ then has no minimum over z > 0.
     pub z: [f64; 3],
     /// ΣJ for these lengths.
     pub value: f64,
@@ -130,7 +130,7 @@ mod tests {
     use super::*;
     use crate::synthesis::four_bar::samples::angles;
 
-    /// Coupler along the frame, output up, input back: (z₁ − z₃ − 1)² + z₂². With (3, 4, 0) it is 4 + 16.
+    /// Coupler along the frame, output up, input back: J = (z₁ − z₃ − 1)² + z₂². With (3, 4, 0) it is 4 + 16.
     #[test]
     fn the_functional_is_the_square_of_the_gap() {
         let one = angles([0.0, 90.0, 180.0]);
@@ -163,7 +163,8 @@ mod tests {
         assert_eq!(System::new(&[]), None);
     }
 
-    /// Input up, then back: 2z₁ − z₃ = 2, 2z₂ + z₃ = 0 and −z₁ + z₂ + 2z₃ = −1 have the solution (1, 0, 0).
+    /// Input up in one position and back in the other: 2z₁ − z₃ = 2, 2z₂ + z₃ = 0 and −z₁ + z₂ + 2z₃ = −1 have the
+    /// solution (1, 0, 0).
     #[test]
     fn two_positions_have_one_minimum() {
         let system = System::new(&[angles([0.0, 90.0, 90.0]), angles([0.0, 90.0, 180.0])]).unwrap();

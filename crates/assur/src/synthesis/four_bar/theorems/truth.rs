@@ -110,7 +110,7 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
             return Some(Truth::None);
         }
     }
-    // The tolerance keeps an empty range empty: if e₁ points along e₀, both its ends are 1, up to rounding.
+    // The tolerance keeps an empty range empty. For example, both ends may be 1 within rounding if e₁ points along e₀.
     Some(
         if to.is_none_or(|to| from < to * (1.0 - tolerance::NEGLIGIBLE)) {
             Truth::Between { from, to }
@@ -121,7 +121,8 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
 }
 
 /// Case e₃ = ±e₂. The vector product of the loop equation and e₂, e₀ × e₂ = z₁ e₁ × e₂, gives z₁ unless e₁ is parallel
-/// too. Along e₂ the remainder must equal z₂ ± z₃: any value if e₂ and e₃ are opposite, otherwise a positive one.
+/// too. Along e₂ the remainder e₀ − z₁e₁ must equal z₂ ± z₃. This can be any value if e₂ and e₃ are opposite, otherwise
+/// only a positive one.
 fn parallel(angles: &Angles) -> Truth {
     let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
         let turn = angles.output - angle;
@@ -179,7 +180,7 @@ mod tests {
         }
     }
 
-    /// e₀ is in the cone of the three vectors if those next to it on either side are less than 180° apart.
+    /// e₀ is in the cone of the three vectors if its neighbours on either side are less than 180° apart.
     #[test]
     fn lengths_close_if_the_frame_is_within_the_cone() {
         for (degrees, gap, holds) in [
@@ -199,7 +200,8 @@ mod tests {
         }
     }
 
-    /// Output up and input down: a coupler at 60° must reach 1 along the frame, z₁ cos 60° = 1. One at 120° never does.
+    /// Output up and input down: a coupler at 60° must reach 1 along the frame, so z₁ cos 60° = 1. A coupler at 120°
+    /// never does.
     #[test]
     fn parallel_output_and_input_leave_one_coupler() {
         let Some(Truth::Parallel { coupler: Some(z) }) = truth(&angles([60.0, 90.0, -90.0])) else {
