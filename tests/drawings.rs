@@ -102,6 +102,20 @@ fn ends_are_told_of_the_right_group() {
     }
 }
 
+/// Where guides become parallel their common point is at infinity: the row has the reason, and no numbers of 10¹⁴.
+#[test]
+fn a_row_at_infinity_has_no_values() {
+    let motion = motion("through-infinity");
+    let columns = Column::all(motion.mechanism());
+    for end in motion.dead_points() {
+        let row = motion.row(&columns, end.input);
+        assert!(row.values.iter().all(Option::is_none), "{row:?}");
+        assert!(matches!(row.reason.unwrap().cause, Cause::Parallel));
+    }
+    let inside = motion.row(&columns, motion.drawn_input());
+    assert!(inside.values.iter().all(Option::is_some) && inside.reason.is_none());
+}
+
 /// Far from the origin no row is lost, and the drawn pose of a reduction gear is a row.
 #[test]
 fn no_rows_are_lost() {

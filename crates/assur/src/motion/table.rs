@@ -87,7 +87,8 @@ impl Column {
 pub struct Row {
     /// Input of the row.
     pub input: f64,
-    /// Values of the columns. At a dead point there are values but no derivatives; without a pose there are neither.
+    /// Values of the columns. At a dead point there are values but no derivatives; if guides are parallel, or without a
+    /// pose, there are neither.
     pub values: Vec<Option<f64>>,
     /// Reason why values are missing.
     pub reason: Option<Unsolved>,
@@ -120,7 +121,9 @@ impl Motion {
         let (mut values, reason) = match dead.map_or_else(|| self.pose::<3>(input), Err) {
             Ok(pose) => (self.values(columns, &pose, rate), None),
             Err(reason) => {
-                let pose = self.pose::<1>(input);
+                // Where guides are parallel, their common point is at infinity, although the input beside it has a pose.
+                let finite = !matches!(reason.cause, Cause::Parallel);
+                let pose = finite.then(|| self.pose::<1>(input).ok()).flatten();
                 let values = pose.map_or(vec![None; columns.len()], |pose| {
                     self.values(columns, &pose, rate)
                 });
