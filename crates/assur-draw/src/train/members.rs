@@ -64,11 +64,11 @@ const SCRAPER: Corners<7> = [
 ];
 /// A knife with one curved edge and a trailing point.
 const BLADE: Corners<5> = [
-    [0.12, -0.12],
+    [0.13, -0.12],
     [0.6, -0.24],
     [0.99, 0.1],
     [0.6, 0.06],
-    [0.12, 0.12],
+    [0.13, 0.12],
 ];
 /// A propeller blade, narrow at the hub and widest near the tip.
 const PROPELLER: Corners<8> = [
