@@ -127,13 +127,11 @@ const CARRIERS: [(Carrier, &str); 9] = [
     (Carrier::Wheel(5), "wheel10"),
 ];
 
-/// The saved name of a value in a table of names.
 fn name_of<T: PartialEq>(names: &[(T, &'static str)], value: &T) -> &'static str {
     let found = names.iter().find(|(one, _)| one == value);
     found.map_or("", |(_, name)| name)
 }
 
-/// The value of a saved name in a table of names.
 fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
     let found = names.iter().find(|(_, one)| *one == name);
     found.map(|(value, _)| *value)
