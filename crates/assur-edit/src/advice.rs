@@ -125,8 +125,8 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
                 .any(|next| moves(&after.document, next))
         })
     };
-    // If the drawing is rigid even without drivers, the first edit removes a link; otherwise it drives a link or fixes
-    // a point.
+    // If there is no driver and the mobility is not positive, the first edit removes a link; otherwise it drives a link
+    // or fixes a point.
     let mobility = document.spec().counts().map(|counts| counts.mobility);
     let rigid = document.drivers.is_empty() && mobility.is_ok_and(|mobility| mobility <= 0);
     let adding = all.iter().filter(|mend| match mend {

@@ -139,7 +139,8 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step `by`; then −1 after an odd number of reversals at the ends of its range, otherwise 1.
+    /// Moves the input by a step, turning back at the ends of its range. Returns the new input, and −1 if it has turned
+    /// back an odd number of times, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
     /// The plots against the input. For a gear train without load, they cover the span of time that contains `around`.
@@ -173,7 +174,7 @@ impl<'a> From<&'a Figure> for Rigid<'a> {
     }
 }
 
-/// Changes made by hand in the drawing. Their problems are those that [`crate::Simulator`] throws.
+/// Changes made by hand in the drawing. [`crate::Simulator`] throws the problems of a change.
 pub(crate) trait Edited {
     /// Drags a point to a place, from the pose at an input.
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem>;

@@ -39,7 +39,8 @@ pub(crate) struct PolygonPictureHere {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub(crate) struct PolygonStepHere {
-    /// Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad.
+    /// Kind of step: the pole, a vector equation, points found by the image of their link, points of a group that is
+    /// not a dyad.
     #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
     kind: &'static str,
     /// The unknown point of the equation.

@@ -12,7 +12,7 @@ use crate::step::{announce, run};
 use crate::tools;
 use crate::workspace::Workspace;
 
-/// A browser that the tests of the page can be run in.
+/// A kind of browser in which the tests of the page can run.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Kind {
     /// Chrome or Chromium

@@ -18,7 +18,7 @@ pub(super) struct Report {
     pub(super) kind: &'static str,
     /// Sentences that appear in the text only.
     pub(super) notes: Vec<String>,
-    /// Linkages, the best first.
+    /// Linkages. Those found by a search are in the order in which they are to be shown, the best first.
     pub(super) solutions: Vec<Value>,
     fields: Map<String, Value>,
 }

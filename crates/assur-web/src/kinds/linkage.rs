@@ -126,7 +126,7 @@ impl Linkage {
         rates.collect()
     }
 
-    /// The document after a change, and the input if it has changed.
+    /// The fields of the redrawn document, the input if it has changed, and the motion.
     fn changed(&self, changed: Changed, input: f64) -> Change {
         let redrawn = Redrawn::of(changed.motion.mechanism().spec());
         let other = (changed.input != input).then_some(changed.input);

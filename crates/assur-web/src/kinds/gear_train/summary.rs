@@ -58,7 +58,8 @@ pub(crate) struct GearTrainSummary<'a> {
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     powers: Shafts,
-    /// Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held.
+    /// Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held; for the
+    /// satellites, on all of them together.
     limits: Option<BodyNumbers>,
     /// Natural frequencies of the meshes with sun and ring, Hz.
     swings: Option<[f64; 2]>,

@@ -225,7 +225,6 @@ fn lacking(why: &NoRank) -> Option<String> {
     }
 }
 
-/// The names of pairs.
 fn named<'a>(scheme: &'a assur::mobility::Scheme, pairs: &[usize]) -> Vec<&'a str> {
     let pairs = pairs.iter().map(|pair| scheme.pairs()[*pair].name.as_str());
     pairs.collect()
