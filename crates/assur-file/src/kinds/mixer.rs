@@ -138,7 +138,7 @@ fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
 }
 
 impl MixerTracerDocument {
-    /// The link that carries a traced point, by its saved name.
+    /// The carrier of a traced point with this saved name; none for an unknown name.
     pub fn carrier(link: &str) -> Option<Carrier> {
         value_of(&CARRIERS, link)
     }

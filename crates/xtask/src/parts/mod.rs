@@ -26,7 +26,7 @@ mod second;
 /// Name of the custom section with the hash of the whole module and its division, the same in both parts.
 const BUILD: &str = "build";
 
-/// A module whose export `called.N` is a global that is 1 if function N has been called.
+/// Marks the functions of a module: the export `called.N` is a global that becomes 1 when function N is called.
 pub(crate) fn marked(wasm: &[u8]) -> Result<Vec<u8>> {
     let contents = Contents::read(wasm)?;
     let mut module = Module::new();

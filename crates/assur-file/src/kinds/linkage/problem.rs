@@ -74,8 +74,8 @@ pub enum LinkageProblem {
     StraightPath { point: String },
     /// A link that does not rotate in this pose and so has no inflection circle.
     NotTurning { link: String },
-    /// A dimension that cannot be increased to a value: it exceeds the last possible value, `last`, by `by`. Beyond the
-    /// last possible value these links cannot be joined.
+    /// A dimension that cannot be increased to a value: this value exceeds the last possible one, `last`, by `by`.
+    /// Beyond `last`, these links cannot be joined.
     TooLarge {
         field: Field,
         by: f64,

@@ -41,8 +41,8 @@ pub(crate) struct GearTrainSummary<'a> {
     builds: bool,
     /// Similar trains that can be built; empty if this train can be built.
     suggestions: Vec<SuggestionSummary>,
-    /// Number of teeth z₂ of a planar train's satellite with which gears with these z₁ (sun) and z₄ (ring) mesh, if
-    /// any.
+    /// For a planar train: number of teeth z₂ of the satellite that fits between gears with these z₁ (sun) and z₄
+    /// (ring), if there is one.
     in_contact: Option<u32>,
     mobility: MobilitySummary,
     /// Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels.
