@@ -179,7 +179,6 @@ pub(crate) fn number(text: &str) -> Result<f64, String> {
     text.trim().parse().map_err(|_| said.to_owned())
 }
 
-/// Returns the name of a Grashof class.
 pub(crate) fn class(class: Grashof) -> String {
     class.code().replace('_', "-")
 }

@@ -34,7 +34,6 @@ pub(crate) struct Moving {
     quantities: Vec<Quantity>,
     /// Quantities that are listed whatever is plotted.
     listed: Vec<Quantity>,
-    /// Measures of the view.
     measures: Vec<Quantity>,
     plotted: Vec<Quantity>,
     /// Colour roles of the curves.

@@ -10,7 +10,6 @@ use crate::moving::Moving;
 
 const ORDERS: [Order; 2] = [Order::Velocity, Order::Acceleration];
 
-/// The polygons at an input.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PolygonsHere {

@@ -21,14 +21,12 @@ pub(crate) enum Kind {
     Firefox,
 }
 
-/// A browser and its driver.
 pub(crate) struct Browser {
     facts: &'static Facts,
     pub(crate) program: PathBuf,
     pub(crate) driver: PathBuf,
 }
 
-/// Facts about a kind of browser.
 struct Facts {
     name: &'static str,
     program: Program,

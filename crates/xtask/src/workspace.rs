@@ -41,7 +41,6 @@ impl Workspace {
         })
     }
 
-    /// Folder of the built page.
     pub(crate) fn site(&self) -> PathBuf {
         self.target.join("site")
     }

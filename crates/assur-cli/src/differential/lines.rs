@@ -113,7 +113,6 @@ fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Val
     }
 }
 
-/// Formats a value on one line.
 fn in_line(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),

@@ -12,7 +12,6 @@ use serde_json::{Map, Value, json};
 use super::words;
 use crate::words::class;
 
-/// Report on a synthesis task.
 pub(super) struct Report {
     /// Kind of result, such as `family`; `none` if there is no linkage.
     pub(super) kind: &'static str,

@@ -16,7 +16,6 @@ use crate::convert::to_js;
 use course::Course;
 use summary::GearTrainSummary;
 
-/// A differential with its drawing.
 pub(crate) struct GearTrain {
     document: GearTrainDocument,
     course: Course,

@@ -20,7 +20,6 @@ use crate::dimensions::DimensionSummary;
 use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
-/// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
     /// The linkage in the notation of the paper on the combined method; none if the paper does not describe it.
@@ -82,7 +81,6 @@ impl Redrawn {
     }
 }
 
-/// Summary of a linkage and of its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LinkageSummary<'a> {

@@ -136,7 +136,6 @@ pub(crate) struct RedundancySummary<'a> {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MendedSummary<'a> {
     list: Vec<Vec<ChangedPair<'a>>>,
-    /// Whether the list is complete.
     complete: bool,
 }
 
