@@ -55,7 +55,7 @@ export type GearTrainDocument = {
 /** Number of satellites. */ satellites: number, 
 /** Coupling of the wheels: by magnets or by teeth in contact. */ coupling: CouplingDocument, 
 /** Module: a wheel's diameter divided by its number of plates or teeth. */ module_mm: number, 
-/** Distance of the satellites' axes from the main axis, for magnets; if absent, the gaps are equal. */ axis_distance_mm?: number | null, 
+/** Distance of the satellites' axes from the main axis, for magnets; if absent, the gaps at sun and ring are equal. */ axis_distance_mm?: number | null, 
 /** Drives of two of the three shafts. */ drives: Array<DriveDocument>, 
 /** Working members 7 and 8: the tools, such as fans or brushes, that the train drives. */ members: MembersDocument, 
 /** The observer in whose frame of reference the train is shown. */ observer: ObserverDocument, 
@@ -144,8 +144,8 @@ export type MixerTracerDocument = {
 export type NumberDocument = { 
 /** Name of the quantity, such as `rocker.angle` or `C.x′`. */ quantity?: string | null, 
 /**
- * The input at which the quantity is evaluated, in degrees, the unit of lengths or seconds; if absent, that of the
- * step.
+ * The input at which the quantity is evaluated: degrees, seconds, or the unit of lengths. If absent, the input of
+ * the step is used.
  */
 at?: number | null, 
 /** The answer itself, if it is not a quantity. */ value?: number | null, 
@@ -309,7 +309,7 @@ measures: Array<string>,
 /** Angular acceleration ε₁ of the crank, rad/s². */ epsilon: number, 
 /** Whether playback is at ω₁ instead of `speed`. */ true_time: boolean, 
 /** Whether the tools for drawing are shown. */ drawing: boolean, 
-/** Whether difference quotients of φ′ are plotted on top of φ″. */ differenced: boolean, 
+/** Whether difference quotients of the first derivatives are plotted on top of the second derivatives. */ differenced: boolean, 
 /** The open lesson, if any. */ lesson?: OpenLesson | null, 
 /** Whether the page has large text, thick lines and high contrast, as for a projector. */ projector: boolean, 
 /** Language of the page. */ lang: string, };

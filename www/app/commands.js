@@ -49,7 +49,7 @@ function fileCommands(page) {
    * @param {(part: Part) => void} act
    */
   const later = async (load, act) => {
-    // These modules also need the second part of the engine.
+    // Most modules loaded here call functions in the second part of the engine, so that part is always loaded too.
     const loaded = await awaited(Promise.all([load(), compiledWasm()])).catch(() => null);
     if (loaded) act(loaded[0]);
     else notices.tell(LOST);

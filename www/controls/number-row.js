@@ -19,10 +19,10 @@ import { withSubscripts } from "assur/core/subscripts.js";
  *   counted?: string,
  * }>} RowKind
  * `field`: name of the number in the document. `id`: part of the elements' ids; `key`: part of the words' keys; both
- * are the field by default. `n`: text for {n} in the words. `name`: text for {n} in the words beside the symbol, by
- * default `n`. `symbol`: letters after a _ become a subscript. `decimals`: greatest number of decimals shown while the
- * number is not edited; by default, six significant digits are shown. `counted`: key of the words for the value of a
- * slider that counts things.
+ * are the field by default. `n`: replaces {n} in the accessible labels of the field and its slider. `name`: replaces
+ * {n} in the visible text beside the symbol; `n` by default. `symbol`: letters after a _ become a subscript.
+ * `decimals`: greatest number of decimals shown while the number is not edited; by default, six significant digits are
+ * shown. `counted`: key of the words for the value of a slider that counts things.
  */
 
 export class NumberRow {

@@ -354,8 +354,9 @@ export class LessonPanel {
   }
 
   /**
+   * Shows the step's mechanism again, if the question is about it and the page shows another.
    * @param {Question} question
-   * @returns {boolean} whether the page showed a mechanism other than the one in the question
+   * @returns {boolean} whether it had to be brought back
    */
   #bringOwn({ ofPage }) {
     if (!ofPage || this.#own.there) return false;

@@ -19,7 +19,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
  * `item`: id of an item; `shown`: as in the item; `container`: element for its numbers.
  */
 
-/** Relative difference below which values count as equal. */
+/** Difference up to which values count as equal, relative to 1 + |value|. */
 const SAME = 1e-9;
 const DECIMALS = 4;
 const IN_DEGREES = 2;

@@ -78,7 +78,7 @@ export class Progress {
     return this.#steps.findIndex(({ id }) => !this.#solved.has(id) && !this.#shown.has(id));
   }
 
-  /** Number of steps that the reader answered correctly before the answer was shown. */
+  /** Number of steps that the reader answered correctly without being shown the answer. */
   get solved() {
     return this.#solved.size;
   }

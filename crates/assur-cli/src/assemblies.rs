@@ -29,7 +29,7 @@ pub(crate) struct Asked {
 /// incomplete.
 ///
 /// # Errors
-/// A document that is not a mechanism; an invalid number; output that cannot be written.
+/// A document that is not a mechanism; a mechanism without links; an invalid number; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let at = |turns: bool| {
         let at = asked.at.map(|at| asked_for("--at", at, turns));

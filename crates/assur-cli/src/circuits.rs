@@ -14,7 +14,7 @@ use crate::source::{Moved, Name, at};
 /// Writes branches and circuits, as text or as JSON.
 ///
 /// # Errors
-/// Output that cannot be written.
+/// A mechanism without links; output that cannot be written.
 pub(crate) fn write<W: Write>(
     out: &mut W,
     moved: &Moved,

@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use crate::source::Name;
 use crate::{Failure, source};
 
-/// Writes the corrected drawing as a file. Standard error names the point with the largest displacement, and its size.
+/// Writes the corrected drawing in the form of a file. Standard error names the point that moves farthest, and its
+/// displacement.
 ///
 /// # Errors
 /// An unknown name or file; a drawing that already moves, or that no small correction lets move; output that cannot be

@@ -41,8 +41,8 @@ const LINES: [&str; 21] = [
 /// document, or else chosen automatically.
 ///
 /// # Errors
-/// A document that is not a scheme; cut pairs that are unknown, leave a contour closed or disconnect links; output
-/// that cannot be written.
+/// A document that is neither a scheme nor a linkage; cut pairs that are unknown, leave a contour closed or disconnect
+/// links; output that cannot be written.
 pub(crate) fn write(
     out: &mut impl Write,
     name: &Name,

@@ -104,11 +104,11 @@ pub(crate) fn linkage(name: &Name) -> Result<LinkageDocument, Failure> {
     linkage.map_err(|problems| refused(name, &problems))
 }
 
-/// Advice for links that can be joined, but not as they are drawn.
+/// Advice for a linkage that does not close as drawn, but may have assemblies.
 const ASSEMBLE: &str = "`assur assemblies` lists the ways in which these links can be joined, `--at` at other inputs, \
      and draws the linkage in one of them by `--assemble N`";
 
-/// Whether the linkage closes in some assembly although not as drawn.
+/// Whether the only defects of the linkage are those of its drawing, so that it may have assemblies.
 fn can_be_assembled(document: &LinkageDocument) -> bool {
     document.assembly.is_none() && document.assembled(None).is_ok()
 }
@@ -180,7 +180,7 @@ impl Moved {
 /// Returns the motion in the assembly with this number, counted from 1, at the given input or else at the drawn one.
 ///
 /// # Errors
-/// There is no such assembly.
+/// A mechanism without links; no assembly with this number.
 pub(crate) fn in_assembly(
     drawn: Moved,
     name: &Name,

@@ -154,7 +154,7 @@ fn plain(detail: &str) -> String {
         let found = words.find_map(|(start, said)| Some((*said, text.strip_prefix(start)?)));
         found.map(|(said, rest)| (said.to_owned(), rest.to_owned()))
     };
-    // Only the types of the expected and of the found value are kept.
+    // Of an expected or found value, only the JSON term for its type is kept.
     let typed = |text: &str| {
         let named = replaced(text, &TYPES);
         named.map_or_else(|| text.to_owned(), |(said, _)| said)
@@ -179,7 +179,6 @@ pub(crate) fn number(text: &str) -> Result<f64, String> {
     text.trim().parse().map_err(|_| said.to_owned())
 }
 
-/// Returns the name of a Grashof class.
 pub(crate) fn class(class: Grashof) -> String {
     class.code().replace('_', "-")
 }

@@ -8,7 +8,7 @@ use crate::{Edit, checked, edited};
 
 /// Maximum number of advised edits.
 const MAX_EDITS: usize = 6;
-/// Maximum number of edits tried after each edit of the drawing. Each trial builds a mechanism.
+/// Maximum number of candidate edits of a drawing. Trying one builds a mechanism.
 const MAX_SOUGHT: usize = 48;
 /// Number of candidate edits above which pairs of edits are not tried. Trying them would take longer than an animation
 /// frame.
@@ -29,7 +29,7 @@ pub struct Advice {
     pub mends: Vec<Mend>,
 }
 
-/// An edit that lets a drawing move.
+/// An advised edit of a drawing that does not move.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
@@ -101,7 +101,8 @@ impl Advice {
     }
 }
 
-/// The likely edits after which the drawing moves; if there are none, those after which one more edit is enough.
+/// The correction that makes redundant constraints hold exactly, if there is one; otherwise the candidate edits after
+/// which the drawing moves or, if there are none, after which one more edit is enough.
 fn mends(document: &LinkageDocument) -> Vec<Mend> {
     if let Some(exact) = document.spec().made_exact() {
         let (point, by) = (exact.point, exact.by);
@@ -124,7 +125,8 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
                 .any(|next| moves(&after.document, next))
         })
     };
-    // If nothing can move, removing a link is tried; otherwise a link is driven or a point fixed.
+    // If there is no driver and the mobility is not positive, the first edit removes a link; otherwise it drives a link
+    // or fixes a point.
     let mobility = document.spec().counts().map(|counts| counts.mobility);
     let rigid = document.drivers.is_empty() && mobility.is_ok_and(|mobility| mobility <= 0);
     let adding = all.iter().filter(|mend| match mend {
@@ -144,13 +146,11 @@ fn mends(document: &LinkageDocument) -> Vec<Mend> {
         .collect()
 }
 
-/// Whether a drawing moves after an edit.
 fn moves(document: &LinkageDocument, mend: &Mend) -> bool {
     let after = edited(document, &mend.edit());
     after.is_ok_and(|after| Mechanism::new(&after.document.spec()).is_ok())
 }
 
-/// The edits to be tried.
 fn tried(document: &LinkageDocument) -> Vec<Mend> {
     let draft = document.spec();
     let driven: Vec<&str> = (draft.drivers.iter())

@@ -110,7 +110,6 @@ impl Drawing {
         }
     }
 
-    /// The link with this name.
     pub(crate) fn linked(&self, name: &str) -> Result<&LinkDocument, LinkageProblem> {
         let mut links = self.document.links.iter();
         links
@@ -126,7 +125,6 @@ impl Drawing {
         }
     }
 
-    /// The position of a point in the drawing.
     pub(crate) fn at(&self, name: &str) -> Result<Point, LinkageProblem> {
         let mut points = self.document.points.iter();
         let point = points.find(|point| point.name == name);
@@ -134,7 +132,7 @@ impl Drawing {
         Ok(Point::from(point.at))
     }
 
-    /// The diagonal of the rectangle around the drawn points.
+    /// The diagonal of the rectangle around the drawn points, at least [`MIN_SIZE`]; 1 without points.
     pub(crate) fn size(&self) -> f64 {
         let places = || self.document.points.iter().map(|point| point.at);
         let extent = |axis: usize| {
@@ -184,7 +182,6 @@ impl Drawing {
         Ok(self.add_link(ends, None))
     }
 
-    /// Adds a link with these points.
     pub(crate) fn add_link(&mut self, points: &[String], name: Option<&str>) -> String {
         let name = names::new_link(&self.document, points, name);
         self.document.links.push(LinkDocument {
@@ -223,7 +220,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// Replaces the given dimensions of the links that `which` selects by those of the drawing.
+    /// Drops the given dimensions of the links that `which` selects: the drawing then determines them.
     pub(crate) fn redraw(&mut self, which: impl Fn(&LinkDocument) -> bool) {
         let links = self.document.links.iter_mut();
         for link in links.filter(|link| which(link)) {
@@ -262,7 +259,7 @@ impl Drawing {
         Ok(())
     }
 
-    /// The line along which a point slides: the link or frame that carries the line, and two points of it. On the
+    /// The line along which a point slides: the link or frame that carries the line, and two points on the line. On the
     /// frame, these points are added.
     fn line(&mut self, point: &str, along: &Line) -> Result<(String, [String; 2]), LinkageProblem> {
         match along {

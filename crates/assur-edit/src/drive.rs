@@ -11,7 +11,7 @@ use crate::draw::Drawing;
 type Done = Result<(), LinkageProblem>;
 
 impl Drawing {
-    /// Puts two wheels in mesh.
+    /// Puts two wheels in mesh. Their earlier mesh, if there is one, is removed.
     pub(crate) fn mesh(&mut self, links: &[String; 2], teeth: [f64; 2], internal: bool) -> Done {
         let [first, second] = links;
         let carrier = self.carrier(links)?;

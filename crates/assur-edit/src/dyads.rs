@@ -6,7 +6,9 @@ use assur_file::LinkageProblem;
 use crate::draw::Drawing;
 use crate::edit::{End, Inner, Line, Outer};
 
-/// Distance of the inner joint of a new dyad from the line through its ends, relative to the distance between the ends.
+/// Distance of the inner joint of a new RRR dyad from the line through its ends, relative to the distance between the
+/// ends. Also the length of the inner line of a new RPP dyad, relative to the drawing's size, if its hinge lies on the
+/// outer line.
 const OFF: f64 = 0.6;
 /// Length of a new line, relative to the distance from its start to the point that slides on it.
 const BEYOND: f64 = 1.4;

@@ -99,7 +99,7 @@ pub enum End {
 pub enum Line {
     /// The line through two points of this link that is nearest to the sliding point.
     Link(String),
-    /// A line of the frame from the block towards a place.
+    /// A line of the frame from the sliding point towards a place.
     Toward([f64; 2]),
 }
 

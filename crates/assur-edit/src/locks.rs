@@ -22,7 +22,8 @@ const MIN_SIDE: f64 = 1e-3;
 /// Limit of the gradient of half the squared distance from the targets, relative to the size. Below it, distances
 /// differ only by rounding, so a step is judged by the decrease of the gradient.
 const FINE: f64 = 1e-5;
-/// Number added to the diagonal of the equations of locks. Dependent locks need it; it hardly affects other locks.
+/// Number added to the diagonal of the normal equations, which are singular if locks are dependent. It hardly affects
+/// independent locks.
 const TWICE: f64 = 1e-12;
 /// Greatest correction of a step, relative to the length of the step.
 const MAX_CORRECTION: f64 = 0.3;
@@ -38,7 +39,7 @@ const MAX_HALVES: usize = 30;
 #[derive(Clone, Copy, Debug)]
 enum Lock {
     Length([usize; 2], f64),
-    /// Points; angle at the second from the first to the third, radians; least permitted length of its sides.
+    /// Points; angle at the second from the first to the third, radians; least permitted length of the angle's sides.
     Angle([usize; 3], f64, f64),
 }
 
@@ -87,7 +88,7 @@ impl Drawing {
         self.document.locks = kept;
     }
 
-    /// The new positions of points if some of them are moved to targets, and whether the targets are reached.
+    /// The new positions of the points that move if some are moved to targets, and whether the targets are reached.
     /// Points of the frame stay, unless they have targets themselves. The lock `released` is ignored.
     pub(crate) fn held(
         &self,

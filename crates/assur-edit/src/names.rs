@@ -82,7 +82,7 @@ fn numbered(first: usize, free: impl Fn(&str) -> bool, name: impl Fn(usize) -> S
     }
 }
 
-/// The links named after their points, such as AB. They are renamed after an edit.
+/// The links named after their points, such as AB.
 pub(crate) fn called_by_points(document: &LinkageDocument) -> Vec<String> {
     let links = document.links.iter();
     let called = links.filter(|link| link.points.len() > 1 && link.name == of_points(&link.points));

@@ -180,8 +180,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// The given points, and the ends of the frame lines they slide along. Left out are ends that belong to a link, and
-    /// both ends of a line if another slide's line uses one of them.
+    /// The given points, and the ends of the frame lines along which they slide. Ends that belong to a link are left
+    /// out, and both ends of a line if the line of another slide uses one of them.
     fn with_guides(&self, points: &[String]) -> BTreeSet<String> {
         let mut all: BTreeSet<String> = points.iter().cloned().collect();
         let slides = &self.document.slides;

@@ -19,7 +19,7 @@ const MIXERS: [(&str, Case); 3] = [
     ("mixer-c", Case::C),
 ];
 
-/// Category of the gallery in which a mechanism is shown.
+/// A category of the gallery.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(rename = "Group"))]
 #[serde(rename_all = "snake_case")]
@@ -131,7 +131,7 @@ const FILES: &[File] = catalogued! {
     "class5",
 };
 
-/// Makes a list of documents other than linkages from their names.
+/// Makes a list of the names and texts of documents other than linkages.
 macro_rules! others {
     ($($name:literal,)+) => {
         &[$(($name, include_str!(concat!("../catalogue/", $name, ".json"))),)+]
@@ -197,8 +197,8 @@ pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
     })
 }
 
-/// Places of all mechanisms of the catalogue in the gallery. To find them, every mechanism is built, which
-/// takes too long to be done before a page shows anything.
+/// Place of each mechanism of the catalogue in the gallery. This builds every mechanism, which takes too long to be
+/// done before a page shows anything.
 ///
 /// # Errors
 /// The problems of a document; a test ensures that there are none.
@@ -230,7 +230,7 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
 /// The linkage with this name in the catalogue; none if there is no such name.
 ///
 /// # Errors
-/// A document that is not a linkage; problems of the document (a test ensures that there are none).
+/// The document describes no linkage; problems of the document (a test ensures that there are none).
 pub fn from_catalogue(name: &str) -> Option<Result<LinkageDocument, Vec<Problem>>> {
     Some(document(name)?.and_then(|document| document.linkage()))
 }
@@ -307,7 +307,8 @@ pub(crate) fn title(name: &str) -> Option<String> {
 /// Reads a linkage from a file, which contains a state of the page or only a document.
 ///
 /// # Errors
-/// Parts of the wrong form, with their paths; problems of a view or a mixer; a document without a linkage.
+/// Text that is not JSON or has a duplicate key; parts of the wrong form, with their paths; problems found by
+/// [`State::check`]; a document that describes no linkage.
 pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
     document_of(text)?.linkage()
 }
@@ -316,7 +317,8 @@ pub fn from_text(text: &str) -> Result<LinkageDocument, Vec<Problem>> {
 /// a scheme or a differential. Only a scheme has `pairs`, and only a differential has `drives`.
 ///
 /// # Errors
-/// Parts of the wrong form, with their paths; problems of a view.
+/// Text that is not JSON or has a duplicate key; parts of the wrong form, with their paths; problems found by
+/// [`State::check`].
 pub fn document_of(text: &str) -> Result<Document, Vec<Problem>> {
     /// Keys that distinguish the kinds of files. A state has at least one of the first four.
     #[derive(Deserialize)]

@@ -116,8 +116,8 @@ pub struct NumberDocument {
     /// Name of the quantity, such as `rocker.angle` or `C.x′`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantity: Option<String>,
-    /// The input at which the quantity is evaluated, in degrees, the unit of lengths or seconds; if absent, that of the
-    /// step.
+    /// The input at which the quantity is evaluated: degrees, seconds, or the unit of lengths. If absent, the input of
+    /// the step is used.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<f64>,
     /// The answer itself, if it is not a quantity.
@@ -271,7 +271,6 @@ fn unusual<S: Serializer>(view: &View, serializer: S) -> Result<S::Ok, S::Error>
     own.serialize(serializer)
 }
 
-/// The fields of a view, with their values.
 fn fields(view: &View) -> Map<String, Value> {
     match serde_json::to_value(view) {
         Ok(Value::Object(fields)) => fields,

@@ -101,7 +101,6 @@ impl PictureDocument {
     }
 }
 
-/// Whether a text is valid base64.
 fn is_base64(text: &str) -> bool {
     let bare = text.strip_suffix("==").or(text.strip_suffix('='));
     let letter = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'+' || byte == b'/';

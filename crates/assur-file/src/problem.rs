@@ -107,7 +107,6 @@ of_parts! {
     GearTrain(GearTrainProblem),
 }
 
-/// Problems found so far.
 #[derive(Default)]
 pub(crate) struct Problems(pub(crate) Vec<Problem>);
 
@@ -210,7 +209,6 @@ impl From<Unsolved> for Problem {
     }
 }
 
-/// The path of the field of a dimension.
 fn field(dimension: Dimension) -> Field {
     let name = match dimension {
         Dimension::Crank => "l1",

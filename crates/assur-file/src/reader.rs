@@ -348,7 +348,7 @@ mod tests {
         }
     }
 
-    /// Compares with the reader of the crate `serde_path_to_error`, which does the same in a larger module.
+    /// Checks that [`from_json`] gives the same result as the crate `serde_path_to_error`, which compiles to more code.
     fn agrees<T: serde::de::DeserializeOwned + serde::Serialize>(value: &Value) {
         let expected = serde_path_to_error::deserialize::<_, T>(value)
             .map(|read| serde_json::to_value(read).unwrap())

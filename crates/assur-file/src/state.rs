@@ -40,7 +40,6 @@ pub struct State {
     pub picture: Option<PictureDocument>,
 }
 
-/// The version of a state.
 #[derive(Deserialize)]
 struct Head {
     format: f64,

@@ -9,7 +9,7 @@ use crate::{
     Shelf, View,
 };
 
-/// A problem of input, a value that is never changed in place, and a document of given kinds.
+/// Types without a counterpart in Rust: a problem, a value that is never changed in place, a document of given kinds.
 const HEAD: &str = "\
 export type Problem = { readonly code: string, readonly field?: string, readonly [parameter: string]: string | number | readonly string[] | undefined };
 export type Frozen<T> = T extends object ? { readonly [K in keyof T]: Frozen<T[K]> } : T;

@@ -118,7 +118,7 @@ pub struct View {
     /// Whether the tools for drawing are shown.
     #[serde(default)]
     pub drawing: bool,
-    /// Whether difference quotients of φ′ are plotted on top of φ″.
+    /// Whether difference quotients of the first derivatives are plotted on top of the second derivatives.
     #[serde(default)]
     pub differenced: bool,
     /// The open lesson, if any.
@@ -157,7 +157,7 @@ pub struct Against {
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Only {
-    /// None: all three are shown.
+    /// All three plots are shown.
     #[default]
     All,
     /// The plot of the quantities themselves.

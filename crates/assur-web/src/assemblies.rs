@@ -19,9 +19,11 @@ use crate::simulator::{bad, one};
 pub(crate) struct AssembliesHere {
     /// Assemblies in ascending order of `angle`.
     pub(crate) all: Vec<AssemblyHere>,
-    /// Index of the assembly in which the document moves; none if it has no pose at this input or was not found.
+    /// Index of the assembly in which the document moves; none if the document has no pose at this input, or if this
+    /// assembly was not found.
     pub(crate) shown: Option<usize>,
-    /// Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers.
+    /// Number of all solutions, real or complex, of the Assur group that was solved over the complex numbers; none
+    /// unless exactly one such group was solved, and only once.
     complex: Option<usize>,
     /// Whether all assemblies were found.
     whole: bool,

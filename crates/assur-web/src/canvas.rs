@@ -148,8 +148,8 @@ fn width(style: &impl BackendStyle) -> f64 {
 }
 
 /// Moves a horizontal or vertical line so that its edges lie between screen pixels; elsewhere a thin line would be pale
-/// and twice as wide. Returns the line's width, rounded to whole screen pixels. Other paths do not change. `ratio`:
-/// screen pixels per CSS pixel.
+/// and twice as wide. Returns the width rounded to whole screen pixels, at least one. Other paths and their widths do
+/// not change. `ratio`: screen pixels per CSS pixel.
 fn sharpened(path: &mut [(f64, f64)], width: f64, ratio: f64) -> f64 {
     let [from, to] = path else {
         return width;

@@ -21,7 +21,7 @@ pub(crate) trait Capabilities {
     /// Summary of the document; the field `moves` of the summary says whether the document moves.
     fn summary(&self) -> JsValue;
 
-    /// The shapes that move rigidly with bodies; by default those of the moving linkage, or none without one.
+    /// The shapes that move rigidly with bodies; by default those of the moving linkage, if there is one.
     fn rigid(&self) -> Rigid<'_> {
         let figure = self.linkage().map(Moving::figure);
         figure.map(Rigid::from).unwrap_or_default()
@@ -90,7 +90,7 @@ pub(crate) struct RelationHere {
     /// Whether the value is a count, which is a whole number.
     count: bool,
     value: f64,
-    /// The value given by the relation as printed; none if that divides by zero.
+    /// The value given by the relation as printed; none if this relation divides by zero.
     printed: Option<f64>,
 }
 
@@ -139,7 +139,8 @@ pub(crate) trait Moves {
     /// The names of the read-outs.
     fn readout_names(&self) -> Vec<String>;
 
-    /// The input after a step `by`; then −1 after an odd number of reversals at the ends of its range, otherwise 1.
+    /// Moves the input by a step. Where the motion turns back, the input turns back, too. Returns the new input, and −1
+    /// after an odd number of reversals, otherwise 1.
     fn advance(&self, input: f64, by: f64) -> (f64, f64);
 
     /// The plots against the input. For a gear train without load, they cover the span of time that contains `around`.
@@ -173,7 +174,7 @@ impl<'a> From<&'a Figure> for Rigid<'a> {
     }
 }
 
-/// Changes made by hand in the drawing. Their problems are those that [`crate::Simulator`] throws.
+/// Changes made by hand in the drawing. [`crate::Simulator`] throws the problems of a change.
 pub(crate) trait Edited {
     /// Drags a point to a place, from the pose at an input.
     fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem>;

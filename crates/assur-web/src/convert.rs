@@ -14,8 +14,8 @@ pub(crate) fn to_js(value: &impl Serialize) -> JsValue {
     value.serialize(&plain).unwrap_or(JsValue::NULL)
 }
 
-/// Reads a state of the page by way of JSON, so that the code of the conversion is compiled only once. JSON has no
-/// NaN or infinity; fields with such numbers are found here.
+/// Reads a state of the page by way of a JSON value, so that the conversion to Rust types is compiled for JSON only.
+/// JSON has no NaN or infinity; fields with such numbers are reported here.
 ///
 /// # Errors
 /// The fields whose numbers are not finite; otherwise the malformed part.
@@ -34,7 +34,7 @@ pub(crate) fn read(state: &JsValue) -> Result<State, JsValue> {
     state.map_err(|problem| thrown([problem]))
 }
 
-/// Reads a value given by the page, also by way of JSON.
+/// Reads a value given by the page by way of a JSON value, as [`read`] does.
 ///
 /// # Errors
 /// The malformed part.
@@ -96,7 +96,8 @@ pub(crate) fn read_directly<T: DeserializeOwned>(
     })
 }
 
-/// Names the fields that hold NaN or an infinity. JSON has `null` there, so only nulls are compared with the original.
+/// Adds a problem for each field that holds NaN or an infinity. JSON has `null` there, so only nulls are compared with
+/// the original value, `given`.
 fn not_numbers(
     read: &Value,
     given: &dyn Fn() -> JsValue,
@@ -124,7 +125,6 @@ fn not_numbers(
     }
 }
 
-/// Whether a value is `null` or contains one.
 fn has_null(value: &Value) -> bool {
     match value {
         Value::Null => true,

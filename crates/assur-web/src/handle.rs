@@ -11,7 +11,6 @@ pub(crate) struct Handle {
     pub(crate) at: HandlePlace,
 }
 
-/// Position of a handle.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum HandlePlace {
     /// On a point of the linkage.

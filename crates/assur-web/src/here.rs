@@ -39,12 +39,10 @@ impl Here {
     }
 }
 
-/// Serialises numbers as a typed array of single precision.
 fn single_precision<S: Serializer>(numbers: &[f32], to: S) -> Result<S::Ok, S::Error> {
     preserve::serialize(&Float32Array::from(numbers), to)
 }
 
-/// Serialises numbers as a typed array of double precision.
 fn double_precision<S: Serializer>(numbers: &[f64], to: S) -> Result<S::Ok, S::Error> {
     preserve::serialize(&Float64Array::from(numbers), to)
 }

@@ -3,7 +3,6 @@
 use assur::mechanism::{Mechanism, Quantity};
 use assur_file::{Problem, View};
 
-/// Maximum number of measures of a view.
 const MAX_MEASURES: usize = 8;
 
 /// Finds the quantities that a view measures.

@@ -34,7 +34,6 @@ pub(crate) struct Moving {
     quantities: Vec<Quantity>,
     /// Quantities that are listed whatever is plotted.
     listed: Vec<Quantity>,
-    /// Measures of the view.
     measures: Vec<Quantity>,
     plotted: Vec<Quantity>,
     /// Colour roles of the curves.
@@ -188,7 +187,6 @@ impl Moving {
         self.settings.input
     }
 
-    /// The numbers of links, by the links' names.
     pub(crate) fn link_numbers(&self) -> &BTreeMap<String, String> {
         &self.numbers
     }
@@ -312,7 +310,6 @@ impl Moving {
     }
 }
 
-/// The overlays of a view.
 fn overlays(view: &View) -> Overlays {
     Overlays {
         traces: view.traces,
@@ -325,7 +322,6 @@ fn overlays(view: &View) -> Overlays {
     }
 }
 
-/// The lines of a view: instant centres, centrodes, curvature.
 fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     Lines {
         centres: view.instant_centres,
@@ -336,7 +332,6 @@ fn lines(view: &View, mechanism: &Mechanism) -> Lines {
     }
 }
 
-/// Settings of a chart from a view.
 fn settings(view: &View) -> Settings {
     Settings {
         input: view.input(),

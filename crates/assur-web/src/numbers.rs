@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 
 use crate::convert::{read, thrown, to_js};
 
-/// Lists the numbers in the document of a state, in the order of its fields: `{field, value, whole, followed}`.
+/// Lists the numbers in the document of a state that a lesson may vary: `{field, value, whole, followed}` for each.
 ///
 /// # Errors
 /// A malformed state; every problem that prevents the list.

@@ -8,7 +8,7 @@ use crate::capabilities::unknown;
 use crate::convert::{read, thrown, to_js};
 use crate::kinds::scheme_task;
 
-/// A task for practice, by its number: `{kind, document}`.
+/// The practice task with this number: `{kind, document}`.
 #[wasm_bindgen(unchecked_return_type = "DocumentOf<\"scheme\">")]
 pub fn task(number: u32) -> JsValue {
     to_js(&Document::Scheme(scheme_task(number)))

@@ -10,7 +10,6 @@ use crate::moving::Moving;
 
 const ORDERS: [Order; 2] = [Order::Velocity, Order::Acceleration];
 
-/// The polygons at an input.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PolygonsHere {
@@ -39,7 +38,8 @@ pub(crate) struct PolygonPictureHere {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 pub(crate) struct PolygonStepHere {
-    /// Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad.
+    /// Kind of step: the pole, a vector equation, points found by the image of their link, points of a group that is
+    /// not a dyad.
     #[cfg_attr(test, ts(type = "\"pole\" | \"equation\" | \"image\" | \"group\""))]
     kind: &'static str,
     /// The unknown point of the equation.

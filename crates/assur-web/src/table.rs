@@ -220,7 +220,6 @@ impl SweepColumn {
         }
     }
 
-    /// The columns of the circle of curvature of a point.
     fn of_circle(mechanism: &Mechanism, point: PointId) -> impl Iterator<Item = Self> {
         let of = mechanism.point_name(point);
         OF_CIRCLE.into_iter().map(move |(kind, order)| Self {
@@ -233,7 +232,6 @@ impl SweepColumn {
         })
     }
 
-    /// A column with only a name.
     pub(crate) fn named(name: String) -> Self {
         let quantity = None;
         Self { name, quantity }

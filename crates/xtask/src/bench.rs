@@ -48,7 +48,6 @@ pub(crate) fn run(workspace: &Workspace, minutes: f64, save: Option<&Path>) -> R
     Ok(())
 }
 
-/// Prints the figures of engine and page as tables.
 fn print(measured: &Measured) {
     let Measured {
         native,

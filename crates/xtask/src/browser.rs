@@ -12,7 +12,7 @@ use crate::step::{announce, run};
 use crate::tools;
 use crate::workspace::Workspace;
 
-/// A browser that the tests of the page can be run in.
+/// A kind of browser in which the tests of the page can run.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Kind {
     /// Chrome or Chromium
@@ -21,14 +21,12 @@ pub(crate) enum Kind {
     Firefox,
 }
 
-/// A browser and its driver.
 pub(crate) struct Browser {
     facts: &'static Facts,
     pub(crate) program: PathBuf,
     pub(crate) driver: PathBuf,
 }
 
-/// Facts about a kind of browser.
 struct Facts {
     name: &'static str,
     program: Program,

@@ -32,7 +32,7 @@ const LOADER_TYPE: &str = "
 export const second: { load(): void };
 ";
 
-/// Installs what the build needs, then builds.
+/// Installs what the build needs, then builds the page.
 pub(crate) fn set_up_and_build(workspace: &Workspace) -> Result<()> {
     tools::wasm_target(workspace)?;
     let bindgen = tools::wasm_bindgen(workspace)?;

@@ -24,8 +24,8 @@ const WASM_TIME: &str = "300";
 /// Factor by which the amount of random input is multiplied if long tests are run as well.
 const ALL_SCALE: &str = "10";
 
-/// The tests of `soak`: a name, the words that select the tests, and the factor by which their random input is
-/// multiplied. Each reader takes about a minute.
+/// The tests of `soak`: a name, the part of the tests' paths that selects them, and the factor by which their random
+/// input is multiplied. Each test of a reader takes about a minute.
 const SOAKED: [(&str, &str, &str); 11] = [
     ("rows of 200,000 drawings", "any_drawing::rows_are", "1100"),
     ("200,000 drawings redrawn", "any_drawing::a_motion", "200"),
@@ -176,7 +176,8 @@ fn ended(tally: &Tally) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!passed)))
 }
 
-/// The tests of the wasm side by wasm-pack, which must not fetch anything: all that wasm-pack needs is set up here.
+/// Command that runs the tests of the wasm side with wasm-pack. All that wasm-pack needs is set up here, because it
+/// must not download anything.
 pub(crate) fn wasm_tests<'a>(workspace: &'a Workspace, browser: &Browser) -> Result<Cmd<'a>> {
     let Workspace { shell, target, .. } = workspace;
     let [pack, bindgen] = [tools::wasm_pack, tools::wasm_bindgen].map(|tool| tool(workspace));
@@ -208,7 +209,7 @@ fn types(workspace: &Workspace) -> Result<()> {
     Ok(())
 }
 
-/// The tests of the scripts in `www` and of the scripts that build the page.
+/// Command that runs the tests of the scripts in `www` and of the scripts that build the page.
 fn node_tests(workspace: &Workspace) -> Result<Cmd<'_>> {
     let shell = &workspace.shell;
     let mut tests = files(shell, "www".as_ref())?;
@@ -216,7 +217,7 @@ fn node_tests(workspace: &Workspace) -> Result<Cmd<'_>> {
     Ok(node(workspace, &tests))
 }
 
-/// Tests of scripts with the engine of the built page.
+/// Command that runs tests of scripts with the engine of the built page.
 fn node<'a>(workspace: &'a Workspace, tests: &[PathBuf]) -> Cmd<'a> {
     let node = cmd!(
         workspace.shell,
@@ -240,7 +241,7 @@ fn files(shell: &Shell, folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// The page tests: all, or those whose names contain one of the words.
+/// Command that runs the page tests: all, or those whose names contain one of the words.
 fn page_tests<'a>(
     workspace: &'a Workspace,
     browser: &Browser,
@@ -255,7 +256,7 @@ fn page_tests<'a>(
         .args(words)
 }
 
-/// A test program that opens the built page, in all its forms.
+/// Command that runs a test program. The program gets the paths of the built page in all its forms, and the browser.
 pub(crate) fn page_test<'a>(workspace: &'a Workspace, name: &str, browser: &Browser) -> Cmd<'a> {
     // The whole workspace is selected, so that nothing is compiled again with other features.
     cmd!(workspace.shell, "cargo test --workspace --test {name}")

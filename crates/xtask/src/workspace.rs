@@ -41,7 +41,6 @@ impl Workspace {
         })
     }
 
-    /// Folder of the built page.
     pub(crate) fn site(&self) -> PathBuf {
         self.target.join("site")
     }
@@ -53,7 +52,7 @@ impl Workspace {
 
     /// The version of a crate in Cargo.lock. If there are two, cargo refuses the query and names both.
     pub(crate) fn locked_version(&self, name: &str) -> Result<String> {
-        // `registry+…#NAME@VERSION`
+        // The answer has the form `registry+…#NAME@VERSION`.
         let id = cmd!(self.shell, "cargo pkgid {name}").read()?;
         let (_, version) = id
             .rsplit_once('@')
@@ -62,7 +61,6 @@ impl Workspace {
     }
 }
 
-/// The home folder of cargo.
 pub(crate) fn cargo_home() -> Result<PathBuf> {
     let named = env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = named.or_else(|| env::home_dir().map(|home| home.join(".cargo")));

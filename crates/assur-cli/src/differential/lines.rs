@@ -100,8 +100,8 @@ fn shown<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value
     all
 }
 
-/// Returns the entries under a key: those of an object with their names, those of a list with empty names. None if the
-/// key is missing.
+/// Returns the entries under a key: those of an object with their names, those of a list with empty names. There are no
+/// entries if the key is missing.
 fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Value)> {
     match told.get(key) {
         Some(Value::Object(fields)) => fields
@@ -113,7 +113,6 @@ fn entries<'a>(told: &'a Map<String, Value>, key: &str) -> Vec<(&'a str, &'a Val
     }
 }
 
-/// Formats a value on one line.
 fn in_line(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),

@@ -91,7 +91,6 @@ pub(crate) struct Asked {
     json: bool,
 }
 
-/// Parses a kind of coupling.
 fn coupling(text: &str) -> Result<Coupling, String> {
     match text {
         "contact" => Ok(Coupling::Contact),
@@ -157,8 +156,7 @@ impl Asked {
 /// Writes the report, as text or as JSON.
 ///
 /// # Errors
-/// Invalid numbers, all listed together; otherwise an impossible train; inputs that do not determine its motion; output
-/// that cannot be written.
+/// Invalid numbers or an impossible train; inputs that do not determine the motion; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let told = told(asked).map_err(|sentences| Failure::Input(sentences.join("\n")))?;
     if asked.json {

@@ -16,7 +16,7 @@ use crate::source::{Moved, Name};
 /// Writes the structure, as text or as JSON.
 ///
 /// # Errors
-/// Output that cannot be written.
+/// A mechanism without links; output that cannot be written.
 pub(crate) fn write<W: Write>(
     out: &mut W,
     moved: &Moved,
@@ -193,7 +193,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         "w_count": mobility.by_count,
         "w_rank": mobility.by_rank,
         "q": mobility.q(),
-        // Names of the pairs with a redundant constraint: first points, then slides, then gears.
+        // Names of the pairs with redundant constraints: points, slides, gears, then hinges of doubled links.
         "redundant": mobility.redundant,
         "class": roman(structure.class()),
         "formula": mechanism.formula(),
@@ -210,7 +210,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         // Number of turns after which the motion repeats; null if the driver turns back.
         "turns": turns,
         "dead_points": ends(DeadPointKind::is_dead_point),
-        // Inputs at which following the motion stopped, although the motion goes on.
+        // Inputs beyond which the motion goes on but was not followed.
         "followed_to": ends(unfollowed),
         "change_points": change_points.collect::<Vec<_>>(),
     });

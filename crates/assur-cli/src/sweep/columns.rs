@@ -27,7 +27,6 @@ impl Names<'_> {
         }
     }
 
-    /// Returns the heading of a column.
     pub(super) fn header(self, column: Column) -> String {
         let name = self.name(column);
         if self.units {

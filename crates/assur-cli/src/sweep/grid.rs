@@ -6,7 +6,6 @@ use super::Asked;
 use crate::Failure;
 use crate::words::short;
 
-/// Maximum number of rows.
 const MAX_ROWS: f64 = 1e7;
 /// Default number of steps over the range of a driven slide.
 const STEPS: f64 = 360.0;

@@ -12,13 +12,12 @@ use serde_json::{Map, Value, json};
 use super::words;
 use crate::words::class;
 
-/// Report on a synthesis task.
 pub(super) struct Report {
     /// Kind of result, such as `family`; `none` if there is no linkage.
     pub(super) kind: &'static str,
     /// Sentences that appear in the text only.
     pub(super) notes: Vec<String>,
-    /// Linkages, the best first.
+    /// Linkages. Those found by a search are in the order in which they are to be shown, the best first.
     pub(super) solutions: Vec<Value>,
     fields: Map<String, Value>,
 }

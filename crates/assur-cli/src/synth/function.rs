@@ -44,7 +44,6 @@ const OPTIONS: [(&str, &str); 4] = [
     ("function.output_deg", "--output"),
 ];
 
-/// Parses two numbers.
 fn pair(text: &str) -> Result<[f64; 2], String> {
     numbers(text).ok_or_else(|| "two numbers are wanted, as 1,2".to_owned())
 }

@@ -75,7 +75,6 @@ pub(crate) struct Degrees {
     weight: f64,
 }
 
-/// Parses a position.
 fn degrees(text: &str) -> Result<Degrees, String> {
     let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     let (output, input, weight) = match parts.as_deref() {
@@ -90,7 +89,6 @@ fn degrees(text: &str) -> Result<Degrees, String> {
     })
 }
 
-/// Parses three lengths.
 fn lengths(text: &str) -> Result<[f64; 3], String> {
     let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
     match parts.as_deref() {
@@ -134,7 +132,7 @@ impl Degrees {
 /// Writes the linkages, as text or as JSON.
 ///
 /// # Errors
-/// An invalid task, a task without a linkage, output that cannot be written.
+/// An invalid task; a task without a linkage; output that cannot be written.
 pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> {
     let frame = Frame {
         length: asked.frame,

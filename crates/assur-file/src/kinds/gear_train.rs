@@ -68,7 +68,7 @@ pub struct GearTrainDocument {
     /// Module: a wheel's diameter divided by its number of plates or teeth.
     #[serde(default = "module")]
     pub module_mm: f64,
-    /// Distance of the satellites' axes from the main axis, for magnets; if absent, the gaps are equal.
+    /// Distance of the satellites' axes from the main axis, for magnets; if absent, the gaps at sun and ring are equal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis_distance_mm: Option<f64>,
     /// Drives of two of the three shafts.
@@ -198,7 +198,7 @@ impl GearTrainDocument {
     /// The train that the document describes, with its motion.
     ///
     /// # Errors
-    /// Every problem of the document.
+    /// The problems of the document; those of the model under load only if there are no others.
     pub fn train(&self) -> Result<GearTrain, Vec<Problem>> {
         let mut problems = self.check();
         let layout = self.layout();

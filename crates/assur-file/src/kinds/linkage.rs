@@ -16,8 +16,8 @@ use super::{Document, Kind};
 use crate::{Field, LengthUnit, Problem, catalogue};
 pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
 
-/// A linkage. Its parts refer to each other by name, and all lengths are in one unit. Unknown keys are
-/// refused, since a misspelt key would drop a part.
+/// A linkage. Its parts refer to each other by name, and all lengths are in one unit. Unknown keys are refused:
+/// otherwise a misspelt key would silently drop a part.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
 #[serde(deny_unknown_fields)]

@@ -127,20 +127,18 @@ const CARRIERS: [(Carrier, &str); 9] = [
     (Carrier::Wheel(5), "wheel10"),
 ];
 
-/// The saved name of a value in a table of names.
 fn name_of<T: PartialEq>(names: &[(T, &'static str)], value: &T) -> &'static str {
     let found = names.iter().find(|(one, _)| one == value);
     found.map_or("", |(_, name)| name)
 }
 
-/// The value of a saved name in a table of names.
 fn value_of<T: Copy>(names: &[(T, &str)], name: &str) -> Option<T> {
     let found = names.iter().find(|(_, one)| *one == name);
     found.map(|(value, _)| *value)
 }
 
 impl MixerTracerDocument {
-    /// The link that carries a traced point, by its saved name.
+    /// The carrier of a traced point with this saved name; none for an unknown name.
     pub fn carrier(link: &str) -> Option<Carrier> {
         value_of(&CARRIERS, link)
     }

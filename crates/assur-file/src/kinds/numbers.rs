@@ -32,7 +32,6 @@ pub(super) enum Sort {
     Count,
 }
 
-/// Fields of a mixer.
 pub(super) const MIXER: [Pattern; 10] = [
     ("l1", Sort::Measure),
     ("l2", Sort::Measure),
@@ -46,7 +45,6 @@ pub(super) const MIXER: [Pattern; 10] = [
     ("tracers[].y", Sort::Measure),
 ];
 
-/// Fields of a differential.
 pub(super) const GEAR_TRAIN: [Pattern; 18] = [
     ("z1", Sort::Count),
     ("z2", Sort::Count),
@@ -71,7 +69,6 @@ pub(super) const GEAR_TRAIN: [Pattern; 18] = [
 /// Fields of a linkage that are not dimensions of the mechanism.
 pub(super) const LINKAGE: [Pattern; 1] = [("band", Sort::Measure)];
 
-/// Fields of a synthesis.
 pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("frame", Sort::Measure),
     ("phi0_deg", Sort::Measure),

@@ -212,7 +212,7 @@ impl SynthesisDocument {
     /// The task with its solutions, and the solution that is shown.
     ///
     /// # Errors
-    /// Every problem that leaves nothing to show.
+    /// The problems of the document or, if there are none, the reason why there is no solution to show.
     pub fn synthesis(&self) -> Result<Synthesis, Vec<Problem>> {
         let task = self.task()?;
         let options = Options::new(&task, self.free);

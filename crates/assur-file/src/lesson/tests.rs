@@ -3,7 +3,7 @@ use serde_json::json;
 
 use crate::{NumberField, document};
 
-/// A lesson with every kind of question, and a step that shows the same as the one before.
+/// A lesson with every kind of question. Only its first step has a document.
 fn written() -> Value {
     json!({
         "title": "Crank-rocker",

@@ -151,7 +151,6 @@ fn another_lesson_has_another_document() {
     assert_eq!(path(&value), "document.links[0].points[1]");
 }
 
-/// Every state of the first version is read, and written in the second one.
 #[test]
 fn the_first_version_is_read() {
     let old = first(&state());
@@ -238,7 +237,6 @@ fn older_views_say_less() {
     assert_eq!(State::parse(&older.to_string()).unwrap(), expected);
 }
 
-/// The form with only one wheel is read, and written in the present one.
 #[test]
 fn one_wheel_of_old_is_a_list_of_one() {
     let mut older = serde_json::to_value(state()).unwrap();
@@ -251,7 +249,7 @@ fn one_wheel_of_old_is_a_list_of_one() {
     assert_eq!(State::parse(&older.to_string()).unwrap(), state());
     let text = serde_json::to_string(&State::parse(&older.to_string()).unwrap()).unwrap();
     assert!(!text.contains("z5") && text.contains("\"wheels\":[{\"z\":18.0,"));
-    // One of its two fields alone is refused.
+    // The old form needs both `z5` and `centre_line_deg`.
     older["document"].as_object_mut().unwrap().remove("z5");
     assert!(
         matches!(State::parse(&older.to_string()), Err(Problem::BadState { path, .. }) if path == "document")

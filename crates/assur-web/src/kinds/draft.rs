@@ -18,7 +18,7 @@ use crate::summary::HandleSummary;
 /// A drawing, with advice on its motion.
 pub(crate) struct Drawing {
     document: LinkageDocument,
-    /// The reasons why the drawing does not move; none if it could move.
+    /// Advice for a drawing that does not move; none if it could move.
     advice: Option<Advice>,
     sketch: Sketch,
 }
@@ -53,7 +53,7 @@ pub(crate) struct Drawn {
     #[serde(flatten)]
     #[cfg_attr(test, ts(skip))]
     document: Document,
-    /// The point that was added last.
+    /// The point that was used or added last.
     point: Option<String>,
     /// The link that was added last.
     link: Option<String>,

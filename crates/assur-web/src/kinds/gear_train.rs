@@ -16,7 +16,6 @@ use crate::convert::to_js;
 use course::Course;
 use summary::GearTrainSummary;
 
-/// A differential with its drawing.
 pub(crate) struct GearTrain {
     document: GearTrainDocument,
     course: Course,
@@ -85,8 +84,8 @@ impl Capabilities for GearTrain {
 const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
 impl Edited for GearTrain {
-    /// Sets the greatest torque of the load, the only dimension of a train. The times of the load stay the same; a load
-    /// without torque and without four times gets those of [`LOADED`].
+    /// Sets the greatest torque of the load, the only dimension of a train. The times of the load stay the same, but a
+    /// load without torque gets the times of [`LOADED`] unless it has four.
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         if field != "load" {
             return Err(vec![unknown(field)]);

@@ -20,7 +20,6 @@ use crate::dimensions::DimensionSummary;
 use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
-/// A linkage with its drawing.
 pub(crate) struct Linkage {
     moving: Moving,
     /// The linkage in the notation of the paper on the combined method; none if the paper does not describe it.
@@ -82,7 +81,6 @@ impl Redrawn {
     }
 }
 
-/// Summary of a linkage and of its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LinkageSummary<'a> {
@@ -126,7 +124,7 @@ impl Linkage {
         rates.collect()
     }
 
-    /// The document after a change, and the input if it has changed.
+    /// The fields of the redrawn document, the input if it has changed, and the motion.
     fn changed(&self, changed: Changed, input: f64) -> Change {
         let redrawn = Redrawn::of(changed.motion.mechanism().spec());
         let other = (changed.input != input).then_some(changed.input);

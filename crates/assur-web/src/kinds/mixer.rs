@@ -19,13 +19,11 @@ use crate::convert::to_js;
 use crate::moving::Moving;
 use crate::summary::MotionSummary;
 
-/// A mixer with its drawing.
 pub(crate) struct Mixer {
     parameters: Parameters,
     moving: Moving,
 }
 
-/// Summary of a mixer and of its motion.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MixerSummary<'a> {

@@ -16,7 +16,6 @@ use crate::here::Here;
 use crate::moving::Moving;
 use summary::SchemeSummary;
 
-/// A scheme with its drawing.
 pub(crate) struct Scheme {
     document: SchemeDocument,
     scheme: assur::mobility::Scheme,

@@ -43,7 +43,6 @@ const ROLES: [(&str, Role); 3] = [
 /// The links, and the numbers of their angles in the paper.
 const NUMBERS: [(&str, &str); 3] = [("crank", "3"), ("coupler", "1"), ("rocker", "2")];
 
-/// A synthesis with its drawing.
 pub(crate) struct Synthesis {
     document: SynthesisDocument,
     solved: assur_file::Synthesis,

@@ -53,7 +53,6 @@ impl Moving {
         self.figure.frame_beside(pose, &others)
     }
 
-    /// Position of a point in a pose.
     fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
     }

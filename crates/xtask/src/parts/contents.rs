@@ -1,4 +1,4 @@
-//! What the division reads of a module.
+//! The contents of a module that its division into parts needs.
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,5 @@
-//! The first part of a divided module: the whole module, with stubs in place of those functions of the second part that
-//! it may call.
+//! The first part of a divided module: the whole module without the functions of the second part. Each of those that
+//! the first part may call is replaced by a stub.
 
 use std::convert::Infallible;
 
@@ -26,7 +26,7 @@ impl<'a> First<'a> {
     pub(super) fn new(contents: &'a Contents, division: &'a Division) -> Self {
         let imported = (0..contents.imported).map(Some);
         let defined = division.first.iter().chain(&division.stubs).copied();
-        // The import that loads the second part is the last one.
+        // The import that loads the second part follows the imports of the whole module.
         let order = imported.chain([None]).chain(defined.map(Some));
         Self {
             contents,
@@ -40,7 +40,8 @@ impl<'a> First<'a> {
         self.contents.tables.len() as u32
     }
 
-    /// The function that stands for one of the second part.
+    /// Stub of a function of the second part, whose place in the table is `place`. It calls the function through the
+    /// table, after loading the second part if the place is empty.
     fn stub(&self, place: i32, function: u32) -> Function {
         let kind = self.contents.functions[function as usize];
         let parameters = self.contents.types[kind as usize].params().len() as u32;

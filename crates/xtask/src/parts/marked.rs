@@ -13,7 +13,7 @@ use super::contents::Contents;
 
 pub(super) struct Marked<'a> {
     contents: &'a Contents<'a>,
-    /// Global of the next function.
+    /// Number of the global that marks the next function.
     next: u32,
 }
 

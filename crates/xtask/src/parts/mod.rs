@@ -1,5 +1,5 @@
-//! The engine's module in two parts, because a first view need not wait for all of it: the first part holds the functions
-//! that a first view calls, the second part holds the others.
+//! The engine's module in two parts, so that a first view need not wait for the whole module: the first part holds the
+//! functions that a first view calls, the second part the others.
 //!
 //! The two parts work as one module. The second part imports the memory, tables, globals and functions of the first. The
 //! first part calls the second through a table: for each function of the second part that it may call, it has a stub. A
@@ -26,7 +26,7 @@ mod second;
 /// Name of the custom section with the hash of the whole module and its division, the same in both parts.
 const BUILD: &str = "build";
 
-/// A module whose export `called.N` is a global that is 1 if function N has been called.
+/// Marks the functions of a module: the export `called.N` is a global that becomes 1 when function N is called.
 pub(crate) fn marked(wasm: &[u8]) -> Result<Vec<u8>> {
     let contents = Contents::read(wasm)?;
     let mut module = Module::new();
@@ -35,7 +35,7 @@ pub(crate) fn marked(wasm: &[u8]) -> Result<Vec<u8>> {
     Ok(module.finish())
 }
 
-/// The two parts of a module, for the numbers of the functions that the first part holds.
+/// Divides a module into two parts. `first` has the numbers of the functions that the first part holds.
 pub(crate) fn divided(wasm: &[u8], first: &BTreeSet<u32>) -> Result<[Vec<u8>; 2]> {
     let contents = Contents::read(wasm)?;
     let division = Division::new(&contents, first)?;
@@ -105,8 +105,9 @@ impl Division {
     }
 }
 
-/// New numbers of functions, by their numbers in the whole module. In the order, `None` takes a number for a function that
-/// the whole module lacks. A function that is not in the order gets `u32::MAX`, which no module accepts.
+/// New numbers of functions, by their numbers in the whole module. `order` lists the functions in their new order;
+/// `None` stands for a function that the whole module lacks. A function that is not in `order` gets `u32::MAX`, which
+/// no module accepts.
 fn numbered(count: usize, order: impl Iterator<Item = Option<u32>>) -> Vec<u32> {
     let mut numbers = vec![u32::MAX; count];
     for (new, old) in (0..).zip(order) {

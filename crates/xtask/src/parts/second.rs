@@ -1,4 +1,5 @@
-//! The second part of a divided module: functions alone. All else is imported from the first part.
+//! The second part of a divided module. It contains only functions, and puts those with stubs into the table.
+//! Everything else is imported from the first part.
 
 use std::convert::Infallible;
 

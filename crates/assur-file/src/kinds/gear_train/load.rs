@@ -139,7 +139,8 @@ impl Default for BodiesDocument {
 }
 
 impl GearTrainDocument {
-    /// The model of the train under load. None if the model cannot be made and the document asks for no load.
+    /// The model of the train under load. None if no such model can be made and the document is not `loaded`. Faulty
+    /// knots of the load are always an error.
     pub(super) fn differential(
         &self,
         layout: &Layout,
@@ -272,7 +273,7 @@ fn of_member(member: Option<MemberDocument>, speed: f64) -> Load {
         },
         Some(MemberDocument { torque, .. }) => {
             let creep = CREEP.1.max(CREEP.0 * speed.abs());
-            // For a shaft at or near rest, `torque` is the friction at the speed `creep`.
+            // If the shaft is slower than `creep`, `torque` is the friction at the speed `creep`.
             let part = (speed.abs().max(creep) / creep).tanh();
             Load {
                 friction: torque / part,

@@ -40,9 +40,9 @@ pub enum GearTrainProblem {
     DrivenTwice { shaft: ShaftDocument },
     /// The speed of a shaft is given as a multiple of itself.
     TiedToItself { shaft: ShaftDocument },
-    /// The speeds of two shafts are given as multiples of each other.
+    /// The speed of a shaft is given as a multiple of the speed of another shaft, which is itself given as a multiple.
     TiedTogether { shaft: ShaftDocument },
-    /// A ratio of the speeds of two shafts with which the motion is undetermined, whatever the other drive.
+    /// The ratio of the speeds of two shafts, together with the other drive, leaves the motion undetermined.
     SingularTie {
         shaft: ShaftDocument,
         to: ShaftDocument,
@@ -89,7 +89,6 @@ pub(super) fn of_train(error: TrainError) -> Problem {
     problem.into()
 }
 
-/// The problem that poles cannot alternate around a wheel.
 pub(super) fn odd_plates(member: Member) -> Problem {
     let field = of_wheel(member).into();
     GearTrainProblem::OddPlates { field }.into()

@@ -50,7 +50,7 @@ impl LinkageDocument {
         })
     }
 
-    /// True if a motion is what [`Self::motion`] would make: it has the specification of this document.
+    /// True if `motion` equals the result of [`Self::motion`]: its mechanism has the specification of this document.
     pub fn is_moved_by(&self, motion: &Motion) -> bool {
         let is_drawn = self.assembly.is_none();
         is_drawn && self.check().is_ok() && self.spec() == *motion.mechanism().spec()
@@ -75,7 +75,8 @@ impl LinkageDocument {
         Mechanism::assembled(&self.spec(), input).map_err(Problem::all)
     }
 
-    /// The document redrawn in the pose of a specification. The result names no assembly.
+    /// The document with the points, links, drivers and tracers of a specification, usually the linkage in another
+    /// pose. The result names no assembly.
     pub fn redrawn(&self, draft: &LinkageSpec) -> Self {
         let drawn = Self::new(draft);
         Self {
@@ -156,9 +157,9 @@ impl LinkageDocument {
         others.filter_map(angle).collect()
     }
 
-    /// The quantities to be plotted for a choice on the page. `angles` stands for the outputs of the same kind as the
-    /// first (angle or length) or, if there are no outputs, for all angles; the name of a point for both its
-    /// coordinates; the name of a quantity, such as `LINK.angle`, for the quantity. None for an unknown name.
+    /// The quantities to be plotted for a choice on the page. The name of a point stands for both its coordinates, the
+    /// name of a quantity, such as `LINK.angle`, for this quantity. `angles` stands for the outputs of the same kind as
+    /// the first, angle or length; if there are no outputs, for all angles. None for an unknown name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
             let mut asked = self.outputs(mechanism);

@@ -44,7 +44,7 @@ pub enum LinkageProblem {
     OpenPerpendicular { links: Vec<String> },
     /// A drawing in which a group is in a singular position.
     OpenSingular { links: Vec<String> },
-    /// The input is not a number, or outside the range of the driven slide.
+    /// The input is not finite, or outside the range of the driven slide.
     BeyondRange,
     /// The motion does not reach this input, although a pose exists.
     Unreached,
@@ -74,7 +74,8 @@ pub enum LinkageProblem {
     StraightPath { point: String },
     /// A link that does not rotate in this pose and so has no inflection circle.
     NotTurning { link: String },
-    /// A dimension that cannot be increased to a value: beyond the value `last`, these links cannot be joined.
+    /// A dimension that cannot be increased to a value: this value exceeds the last possible one, `last`, by `by`.
+    /// Beyond `last`, these links cannot be joined.
     TooLarge {
         field: Field,
         by: f64,
@@ -88,15 +89,15 @@ pub enum LinkageProblem {
         links: Vec<String>,
         last: f64,
     },
-    /// A required band, arc or stroke of a dwell is not greater than zero, or the required arc exceeds a turn.
+    /// A required band, arc or stroke of a dwell is not positive and finite, or the required arc exceeds a turn.
     BadWish { field: Field },
-    /// A search for a dwell of an output that the mechanism does not have.
+    /// A search for a dwell of an output that the mechanism lacks, or that is an undirected angle.
     NoOutput,
     /// A search in which no dimension may change.
     NothingMoves,
-    /// A dimension to be varied that does not exist or is not a single length.
+    /// A dimension to be changed that the mechanism does not have.
     NoDimension { name: String },
-    /// A dimension's range that is empty or excludes the dimension's value.
+    /// A dimension's range that is not finite, is empty, excludes the dimension's value, or lets a length become zero.
     BadRange { name: String },
     /// A search from a linkage whose driver cannot turn fully, or that comes close to a singular position.
     Blocked,
@@ -216,7 +217,7 @@ pub fn of_field(dimension: Dimension, value: f64) -> f64 {
     }
 }
 
-/// The path of the field with a further driver's rate, by the driver's index.
+/// Path of the field `rate` of the driver with this index (not the first driver, which has no rate).
 pub fn rate_field(driver: usize) -> Field {
     format!("drivers[{driver}].rate").into()
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::{PositionDocument, SynthesisProblem};
 use crate::Problem;
 
-/// Number of samples of a linkage's error curve. The maximum is also sought between samples.
+/// Number of samples of a linkage's error curve. The greatest error is also sought between samples.
 const SAMPLES: usize = 101;
 
 /// A wanted function y = f(x). The input angle φ₃ is linear in x, and the output angle φ₂ is linear in y.

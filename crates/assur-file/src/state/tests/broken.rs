@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// The compared document may be of any kind; a broken one is named by its path.
+/// The compared document may be of any kind. An error names the path of the malformed part.
 #[test]
 fn what_it_is_compared_with() {
     let alone = serde_json::to_value(state()).unwrap();

@@ -89,7 +89,6 @@ impl Course {
         Ok(course)
     }
 
-    /// Whether the train runs under load.
     pub(crate) fn loaded(&self) -> bool {
         self.recording.is_some()
     }

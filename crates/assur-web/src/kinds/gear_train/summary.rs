@@ -41,8 +41,8 @@ pub(crate) struct GearTrainSummary<'a> {
     builds: bool,
     /// Similar trains that can be built; empty if this train can be built.
     suggestions: Vec<SuggestionSummary>,
-    /// Number of teeth z₂ of a planar train's satellite with which gears with these z₁ (sun) and z₄ (ring) mesh, if
-    /// any.
+    /// For a planar train: number of teeth z₂ of the satellite that fits between gears with these z₁ (sun) and z₄
+    /// (ring), if there is one.
     in_contact: Option<u32>,
     mobility: MobilitySummary,
     /// Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels.
@@ -58,7 +58,8 @@ pub(crate) struct GearTrainSummary<'a> {
     #[serde(with = "ShaftNumbers")]
     #[cfg_attr(test, ts(as = "ShaftNumbers"))]
     powers: Shafts,
-    /// Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held.
+    /// Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held; for the
+    /// satellites, on all of them together.
     limits: Option<BodyNumbers>,
     /// Natural frequencies of the meshes with sun and ring, Hz.
     swings: Option<[f64; 2]>,

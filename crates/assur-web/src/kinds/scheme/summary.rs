@@ -136,7 +136,6 @@ pub(crate) struct RedundancySummary<'a> {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct MendedSummary<'a> {
     list: Vec<Vec<ChangedPair<'a>>>,
-    /// Whether the list is complete.
     complete: bool,
 }
 
@@ -225,7 +224,6 @@ fn lacking(why: &NoRank) -> Option<String> {
     }
 }
 
-/// The names of pairs.
 fn named<'a>(scheme: &'a assur::mobility::Scheme, pairs: &[usize]) -> Vec<&'a str> {
     let pairs = pairs.iter().map(|pair| scheme.pairs()[*pair].name.as_str());
     pairs.collect()

@@ -26,7 +26,8 @@ pub(crate) struct FamilySummary {
     changes: Vec<[f64; 3]>,
 }
 
-/// Sampled members of the family, in order along it, whose l₂ and l₃ are within the bounds of the task.
+/// Sampled members of the family whose l₂ and l₃ are within the bounds of the task, in the order of the family's
+/// parameter.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct FamilyCurve {

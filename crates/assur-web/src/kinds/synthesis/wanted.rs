@@ -14,7 +14,6 @@ use super::summary::lengths;
 /// Minimum of a length, and its maximum, if there is one.
 type Range = (f64, Option<f64>);
 
-/// Values at a wanted position.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct WantedSummary {

@@ -40,7 +40,8 @@ impl Moves for GearTrain {
             .collect()
     }
 
-    /// A run under load begins again after its end; without load, time goes on.
+    /// A run under load begins again after its end. Without load, time goes on to its limit, and a negative time is
+    /// reflected at 0.
     fn advance(&self, input: f64, by: f64) -> (f64, f64) {
         let next = input + by;
         if !next.is_finite() {
