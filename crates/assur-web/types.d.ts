@@ -13,8 +13,16 @@ export type AgainstLayout = { left: number, top: number, width: number, height: 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
 export type AssembliesHere = { 
 /** Assemblies in ascending order of `angle`. */ all: Array<AssemblyHere>, 
-/** Index of the assembly in which the document moves; none if it has no pose at this input or was not found. */ shown: number | null, 
-/** Number of complex solutions of an Assur group; none unless exactly one group was solved over complex numbers. */ complex: number | null, 
+/**
+ * Index of the assembly in which the document moves; none if the document has no pose at this input, or if this
+ * assembly was not found.
+ */
+shown: number | null, 
+/**
+ * Number of all solutions, real or complex, of the Assur group that was solved over the complex numbers; none
+ * unless exactly one such group was solved, and only once.
+ */
+complex: number | null, 
 /** Whether all assemblies were found. */ whole: boolean, };
 export type AssemblyHere = { 
 /** Number by which the page shows and chooses the assembly. A mixer has its own numbering. */ number: number, 
@@ -80,7 +88,7 @@ export type DraftSummary = {
 /** Mobility W by count; none if the drawing could move, or refers to a part that does not exist. */ mobility: number | null, drivers: number, 
 /** Every reason why the drawing does not move. */ reasons: readonly Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
 export type Drawn = { 
-/** The point that was added last. */ point: string | null, 
+/** The point that was used or added last. */ point: string | null, 
 /** The link that was added last. */ link: string | null, 
 /** Whether locked lengths or angles kept the edit from reaching its target. */ held: boolean, };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
@@ -107,15 +115,19 @@ export type GearTrainSummary = { bounds: [number, number, number, number], roles
 /** Whether all conditions are met. */ builds: boolean, 
 /** Similar trains that can be built; empty if this train can be built. */ suggestions: Array<SuggestionSummary>, 
 /**
- * Number of teeth z₂ of a planar train's satellite with which gears with these z₁ (sun) and z₄ (ring) mesh, if
- * any.
+ * For a planar train: number of teeth z₂ of the satellite that fits between gears with these z₁ (sun) and z₄
+ * (ring), if there is one.
  */
 in_contact: number | null, mobility: MobilitySummary, 
 /** Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels. */ gaps: [number, number] | null, axis_distance: number, 
 /** Distances (mm) and velocities (mm/s) of points at the final speeds of the shafts; null for bevel wheels. */ velocities: VelocitySummary | null, 
 /** External torques on the shafts, neglecting losses, as multiples of the torque on the sun. */ torques: ShaftNumbers, 
 /** Power that each shaft takes in: its value in `torques` times its speed in revolutions per minute. */ powers: ShaftNumbers, 
-/** Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held. */ limits: BodyNumbers | null, 
+/**
+ * Greatest static torque that the magnets can hold on each body, N·m, with the other shafts held; for the
+ * satellites, on all of them together.
+ */
+limits: BodyNumbers | null, 
 /** Natural frequencies of the meshes with sun and ring, Hz. */ swings: [number, number] | null, 
 /** The greatest torque of the load, and its upper limit, N·m. */ load: PullSummary | null, 
 /** Slips of the meshes with sun and ring at the end of a run, in periods of the field. */ slips: [number, number] | null, halt: HaltSummary | null, 
@@ -170,8 +182,7 @@ export type ListedSummary = { name: string,
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
 export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
-export type MendedSummary = { list: Array<Array<ChangedPair>>, 
-/** Whether the list is complete. */ complete: boolean, };
+export type MendedSummary = { list: Array<Array<ChangedPair>>, complete: boolean, };
 export type MixerSummary = { 
 /** Speed ratios of the peripheral wheels to the rocker. */ ratios: Array<number>, 
 /** Pairs of peripheral wheels that would overlap, as indices from 0. */ overlaps: Array<[number, number]>, 
@@ -216,7 +227,11 @@ export type PolygonPictureHere = {
 /** Velocity or acceleration that the scale bar represents. */ bar: number, 
 /** Usual scale of the motion divided by the scale of this picture; 1 if the polygon fits at the usual scale. */ smaller: number, };
 export type PolygonStepHere = { 
-/** Kind of step: pole, vector equation, points by the image of their link, points of a group that is not a dyad. */ kind: "pole" | "equation" | "image" | "group", 
+/**
+ * Kind of step: the pole, a vector equation, points found by the image of their link, points of a group that is
+ * not a dyad.
+ */
+kind: "pole" | "equation" | "image" | "group", 
 /** The unknown point of the equation. */ target?: string | null, 
 /** The reference point of the equation. */ from?: string | null, 
 /** Number of the link with both points or, for a slide, with the line; 0 for the frame. */ link?: string | null, 
@@ -242,7 +257,7 @@ export type RelationHere = { item: string, name: string,
 /** Whether the value is an angle, in radians. */ angle: boolean, 
 /** Whether the value is an angle of rotation, in which whole turns count. */ turned: boolean, 
 /** Whether the value is a count, which is a whole number. */ count: boolean, value: number, 
-/** The value given by the relation as printed; none if that divides by zero. */ printed: number | null, };
+/** The value given by the relation as printed; none if this relation divides by zero. */ printed: number | null, };
 export type SchemeSummary = { 
 /** Always null: a scheme has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /** Names of the links, the ground first. */ links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
