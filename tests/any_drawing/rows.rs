@@ -66,7 +66,10 @@ fn drawn(subject: &Subject, tally: &mut Tally) {
     let [from, to] = motion.cycle().arcs()[0];
     let period = motion.cycle().period();
     let is_counted = motion.mechanism().turns() && period.is_none_or(|period| to - from <= period);
-    let as_drawn = is_counted.then_some(drawn);
+    // An arc may end at the drawn pose, and the drawn input lie beyond its end by rounding.
+    let near = |end: &f64| (drawn - end).abs() <= 8.0 * error;
+    let within = [from, to].into_iter().find(near).unwrap_or(drawn);
+    let as_drawn = is_counted.then_some(within);
     for input in [Some(home), as_drawn].into_iter().flatten() {
         let Ok(pose) = motion.pose::<1>(input) else {
             let text = format!("none at {input}, home is {home}");

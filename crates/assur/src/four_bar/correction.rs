@@ -8,20 +8,23 @@ use crate::Jet;
 /// ratio.
 const FAST: f64 = 32.0;
 
+/// Sine of the angle between coupler and rocker at which they are in line within rounding.
+const IN_LINE: f64 = 1e-8;
+
 impl FourBar {
     /// Corrects the derivatives of φ₂ and φ₃ by one Newton step on the loop closure, if B is close to D.
     ///
     /// There φ₅ and the angles of triangle BCD change fast. In one of the assemblies they change in opposite senses.
     /// The derivatives of order n of their sums φ₂ and φ₃ then have rounding errors of ε φ₅′ⁿ, which differ between φ₂
     /// and φ₃. After the step the loop is closed in all derivatives. The step divides by sin(φ₂ − φ₃), so it is omitted
-    /// if coupler and rocker are nearly in line.
+    /// if coupler and rocker are in line.
     pub(super) fn corrected<const N: usize>(&self, pose: Pose<N>, diagonal: Jet<N>) -> Pose<N> {
         let [fast, rate] = [diagonal, pose.coupler].map(|angle| angle.derivative(1).abs());
         if fast <= FAST * rate.max(1.0) {
             return pose;
         }
         let (sine, _) = (pose.coupler - pose.rocker).sin_cos();
-        if sine.value().abs() * fast * FAST <= 1.0 {
+        if sine.value().abs() <= IN_LINE {
             return pose;
         }
         let [_, l2, l3, _] = self.lengths;
