@@ -6,7 +6,7 @@ import { startEngine } from "assur/core/wasm.js";
 import { Catalogue } from "assur/state/catalogue.js";
 import { Compared, discard } from "assur/state/compared.js";
 import { withDetails } from "assur/state/details.js";
-import { Names, byName } from "assur/state/readouts.js";
+import { Names, Readouts } from "assur/state/readouts.js";
 import { withoutExtras } from "assur/state/state.js";
 import * as module from "assur/pkg/assur_web.js";
 
@@ -14,8 +14,8 @@ import * as module from "assur/pkg/assur_web.js";
  * @typedef {import("assur/state/state.js").Kind} Kind
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/state/details.js").Summaries} Summaries
- * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: import("assur/state/readouts.js").Readouts | null, plotted: Float64Array | null }} PoseData
- * The mechanism at an input. `readouts`: values by name. `readouts` and `plotted` are null if derivatives are unbounded.
+ * @typedef {Omit<import("assur/types/web.js").Here, "readouts" | "plotted"> & { readouts: Readouts | null, plotted: Float64Array | null }} PoseData
+ * The mechanism at an input. `readouts` and `plotted` are null if derivatives are unbounded.
  */
 
 export class Engine {
@@ -40,7 +40,7 @@ export class Engine {
   /** Whether the document may choose the unit of lengths. */
   choosesLengths = false;
   catalogue = new Catalogue(module.mixers(), () => this.functions.catalogue());
-  /** Names of the read-outs. */
+  /** What the read-outs are of. */
   names = new Names([]);
 
   /** @returns {Promise<Engine>} */
@@ -58,7 +58,7 @@ export class Engine {
     const summary = this.ask(() => {
       const simulator = this.#simulator;
       const taken = simulator.set(withoutExtras(state));
-      this.names = this.names.updated(simulator.readoutNames());
+      this.names = this.names.updated(simulator.readouts());
       this.labels = simulator.labelNames();
       this.lengths = simulator.lengths();
       this.choosesLengths = simulator.choosesLengths();
@@ -142,8 +142,8 @@ export class Engine {
    */
   at(input) {
     const { frame, handles, readouts, plotted } = this.simulator.at(input);
-    const named = byName(this.names.all, readouts);
-    return { frame, handles, readouts: named, plotted: named && plotted };
+    const read = Readouts.of(this.names, readouts);
+    return { frame, handles, readouts: read, plotted: read && plotted };
   }
 
   /**

@@ -146,7 +146,7 @@ export type HandleSummary = { name: string, role: string,
 export type Here = { 
 /** Number of bodies; x, y and angle of each; then a display list of all shapes that are not rigid. */ frame: Float32Array, 
 /** x and y of each handle of the summary. */ handles: Float64Array, 
-/** Values of `readoutNames`; empty if derivatives are unbounded. */ readouts: Float64Array, 
+/** Values of the read-outs that `readouts` names, in its order; empty if derivatives are unbounded. */ readouts: Float64Array, 
 /**
  * For each series of the plots, its value and first two derivatives, or abscissa and ordinate if one quantity is
  * plotted against another; empty if derivatives are unbounded.
@@ -252,6 +252,8 @@ export type RateSummary = { field: string, link: string, rate: number, role: str
 export type RatioSummary = { name: string, of: number, to: number, held: number, numerator: number, denominator: number, value: number, 
 /** Whether this is the largest positive ratio. */ largest: boolean, };
 export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };
+export type ReadoutId = { quantity: string, 
+/** Order of the derivative: 0, 1 or 2. */ order: number, };
 export type RedundancySummary = { count: number, pairs: Array<string>, };
 export type RelationHere = { item: string, name: string, 
 /** Whether the value is an angle, in radians. */ angle: boolean, 

@@ -98,6 +98,11 @@ globalThis.DOMParser = class DOMParser {
     return { documentElement };
   }
 };
+globalThis.HTMLTableElement = class HTMLTableElement extends HTMLElement {
+  tHead = new HTMLElement("thead");
+  tBodies = [new HTMLElement("tbody")];
+  children = [this.tHead, ...this.tBodies];
+};
 globalThis.HTMLCanvasElement = class HTMLCanvasElement extends HTMLElement {};
 globalThis.getComputedStyle = () => ({ getPropertyValue: () => "", fontFamily: "sans-serif", fontSize: "14px" });
 globalThis.matchMedia = () => new EventTarget();

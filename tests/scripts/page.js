@@ -1,5 +1,6 @@
 // A page that nothing is drawn on: state, model and history with the engine, as app/page.js puts them together.
 import "assur/tests/window.js";
+import { Shown } from "assur/controls/shown.js";
 import { choose } from "assur/state/change.js";
 import { Drafts } from "assur/state/drafts.js";
 import { History } from "assur/state/history.js";
@@ -13,6 +14,7 @@ export class Page {
   drafts = new Drafts(() => {});
   mechanism = { fit() {} };
   words = wordsOf("en");
+  shown = new Shown();
 
   /** @param {string} id of the mechanism of the catalogue that is open */
   constructor(id, view = {}) {

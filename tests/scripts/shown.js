@@ -1,20 +1,20 @@
-// What the read-outs of the page have, by their ids, from the same summary and values.
-import { readoutOf } from "assur/core/symbols.js";
-import { quantityText } from "assur/plots/values.js";
+// What the page shows of a mechanism: its read-outs, by the views of the page.
+import { found } from "assur/tests/document.js";
+import { StatusLine } from "assur/controls/status.js";
+import { ENTRIES as TRAIN } from "assur/kinds/gear-train/status.js";
+import { CourseView } from "assur/kinds/linkage/course.js";
+import { ENTRIES as LINKAGE } from "assur/kinds/linkage/status.js";
+import { ENTRIES as MIXER } from "assur/kinds/mixer/status.js";
+import { ENTRIES as SCHEME } from "assur/kinds/scheme/status.js";
+import { ENTRIES as SYNTHESIS } from "assur/kinds/synthesis/status.js";
+import { Curvature } from "assur/plots/curvature.js";
+import { ReadoutTable } from "assur/plots/readouts.js";
+import { Shown } from "assur/controls/shown.js";
 import { Drafts } from "assur/state/drafts.js";
-import { Model } from "assur/state/model.js";
+import { Model, moves } from "assur/state/model.js";
 import { wordsOf } from "assur/tests/words.js";
 
-const STROKES = ["", "′", "″"];
-
-/** Entries of status lines that links of tests/links.txt show. */
-const STATUS = {
-  ratio: ({ ratios }) => ratios?.[0],
-  "scheme-w": ({ counts, mobility }) => (counts && "pairs" in counts ? mobility : undefined),
-  "scheme-q": ({ redundant, space }) => space?.redundant ?? redundant,
-  "scheme-rank": ({ plane, space }) => (plane ?? space)?.mobility,
-  "scheme-links": ({ counts }) => counts?.links,
-};
+const ENTRIES = { "gear-train": TRAIN, linkage: LINKAGE, mixer: MIXER, scheme: SCHEME, synthesis: SYNTHESIS };
 
 /**
  * @param {import("assur/engine.js").Engine} engine
@@ -26,21 +26,45 @@ export function snapshotOf(engine, state, words = wordsOf(state.view.lang)) {
   return model.snapshot(state, words.measured(engine.lengths), true);
 }
 
+/** The views of read-outs, on a page of their own with nothing else. */
+export class Views {
+  shown = new Shown();
+  table = new HTMLTableElement();
+  status = new HTMLElement("dl");
+
+  /**
+   * @param {import("assur/engine.js").Engine} engine
+   * @param {string} kind of the documents
+   */
+  constructor(engine, kind) {
+    found.set("readouts", this.table).set("status", this.status);
+    const page = { engine, shown: this.shown, model: { kind }, drafts: new Drafts(() => {}) };
+    this.all = [new StatusLine(kind, ENTRIES[kind], page)];
+    if (kind === "linkage") this.all.unshift(new CourseView(page));
+    this.moving = [new ReadoutTable(page), new Curvature(page)];
+  }
+
+  /**
+   * @param {import("assur/state/model.js").AnySnapshot} snapshot
+   * @param {readonly string[]} [withheld]
+   */
+  render(snapshot, withheld = []) {
+    const given = { ...snapshot, withheld: new Set(withheld) };
+    for (const view of [...(moves(given) ? this.moving : []), ...this.all]) view.render(given);
+    return this;
+  }
+
+  /** @returns {readonly import("assur/controls/shown.js").Cell[]} all read-outs that are shown */
+  get cells() {
+    return this.shown.rows("values", "curvature", "status", "course").flatMap(({ cells }) => cells).filter(({ id }) => id !== "");
+  }
+}
+
 /**
- * @param {import("assur/state/model.js").AnySnapshot} snapshot
- * @returns {Record<string, number>} values by the ids of their read-outs, after `out-`
+ * @param {import("assur/engine.js").Engine} engine
+ * @param {import("assur/state/state.js").State} state
+ * @returns {Views} the views of the state's read-outs
  */
-export function readoutsOf({ summary, inputShown, readouts, words }) {
-  const shown = { input: inputShown };
-  for (const { name, what } of summary.listed ?? []) {
-    for (const [order, stroke] of STROKES.entries()) {
-      const value = readouts?.[name + stroke];
-      if (value !== undefined) shown[readoutOf(name, order)] = quantityText(value, what, order, words).value;
-    }
-  }
-  for (const [id, value] of Object.entries(STATUS)) {
-    const found = value(summary);
-    if (found !== undefined && found !== null) shown[id] = found;
-  }
-  return shown;
+export function shownOf(engine, state) {
+  return new Views(engine, state.kind).render(snapshotOf(engine, state));
 }

@@ -85,7 +85,7 @@ test("play and reverse are their own opposites, and make no step of undo", () =>
 
 test("another assembly is a step of undo; what has none stays as it is", () => {
   const { page, all } = begin("mixer-a", { phi_deg: 75 });
-  const rocker = () => page.now().readouts["rocker.angle"];
+  const rocker = () => page.now().readouts.value("rocker.angle");
   const first = rocker();
   all.assembly2();
   const second = rocker();

@@ -4,7 +4,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, write } from "assur/core/dom.js";
 import { calledIn, numbered } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
-import { isLength, readoutOf } from "assur/core/symbols.js";
+import { isLength } from "assur/core/symbols.js";
 import { described } from "assur/plots/against.js";
 import { differenceOf, whose } from "assur/plots/readouts.js";
 import { axisTitle, axisValueText, levelText } from "assur/plots/units.js";
@@ -104,7 +104,7 @@ function valueText({ what }, value, words) {
 function pose(snapshot) {
   const { summary, coordinate, input, readouts, words, withheld } = snapshot;
   const values = summary.listed.map((one) => {
-    const said = withheld.has(readoutOf(one.name, 0)) ? "?" : valueText(one, readouts?.[one.name], words);
+    const said = withheld.has(one.name) ? "?" : valueText(one, readouts?.value(one.name), words);
     return `${listedName(one, words)} ${said}`;
   });
   const now = words.text(`told.now.${coordinate.moves}`, { input: coordinate.text(input, words, 1), values: values.join(", ") });
@@ -121,11 +121,11 @@ function comparison({ summary, readouts, compared, compares, words, withheld }) 
   const { listed } = summary;
   const output = listed.find(({ name }) => name === outputsOf(summary)[0]?.name) ?? listed[0];
   if (!output) return [];
-  const value = compared.readouts?.[output.name];
-  const difference = differenceOf(output.what, 0, value, readouts?.[output.name]);
+  const value = compared.readouts?.value(output.name);
+  const difference = differenceOf(output.what, 0, value, readouts?.value(output.name));
   const [of, by] = [value, difference].map((number) => valueText(output, number, words));
   // The difference B − A would reveal a withheld value of B.
-  const told = withheld.has(readoutOf(output.name, 0)) ? "?" : by;
+  const told = withheld.has(output.name) ? "?" : by;
   return [words.text("told.compared", { name: listedName(output, words), value: of, difference: told })];
 }
 

@@ -10,6 +10,7 @@ import { receive } from "assur/app/receiving.js";
 import { Views } from "assur/app/views.js";
 import { welcome } from "assur/app/welcome.js";
 import { Theme } from "assur/canvas/theme.js";
+import { Shown } from "assur/controls/shown.js";
 import { byId, setData } from "assur/core/dom.js";
 import { compiledWasm } from "assur/core/wasm.js";
 import { Words } from "assur/core/words.js";
@@ -39,6 +40,8 @@ export class Page {
   #toLesson;
   /** Seconds since the numbers were last written. The initial value causes them to be written at the start. */
   #unwritten = WRITING_PERIOD;
+  /** What the read-outs show. */
+  shown = new Shown();
   /** @type {HTMLElement | null} element printed instead of the worksheet of the shown state */
   sheet = null;
 
@@ -143,7 +146,7 @@ export class Page {
   /**
    * Calls a function while the drawing and the numbers show the same pose.
    * @template T
-   * @param {readonly string[]} hidden ids of read-outs hidden during the work
+   * @param {readonly string[]} hidden quantities and read-outs hidden during the work
    * @param {() => T} work
    * @returns {T}
    */

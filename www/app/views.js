@@ -87,7 +87,7 @@ export class Views {
     this.#bringing = new Bringing(() => page.redraw(), () => page.notices.tell(LOST));
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
     this.#plots = [chart, cursor];
-    this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(), new AboutLink(page), new Measures(page), new Comparing(page)];
+    this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(page), new AboutLink(page), new Measures(page), new Comparing(page)];
     for (const [kind, here] of HERE) this.#add(kind, here);
   }
 
@@ -105,7 +105,10 @@ export class Views {
   #write(snapshot) {
     const { state, kind } = snapshot;
     if (!state.view.playing) this.#describe();
-    if (kind !== this.#kind) this.#turn(kind);
+    if (kind !== this.#kind) {
+      this.#page.shown.clear();
+      this.#turn(kind);
+    }
     setData(document.documentElement, "still", String(snapshot.summary.moves === null));
     this.#rendering.all(this.#views, snapshot);
     for (const name of TOOL_NAMES) if (state.view[name]) this.#bringLater(name, TOOLS[name], this.#views);

@@ -2,6 +2,7 @@
 import { byId, make, setData } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
+import { partsOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, subscript } from "assur/core/symbols.js";
 import { PARTS, withView } from "assur/state/state.js";
@@ -92,9 +93,9 @@ export class Measures {
    * @param {import("assur/core/words.js").Words} words
    */
   #row(name, index, words) {
-    const dot = name.lastIndexOf(".");
-    const [letter, role] = name.endsWith(".distance") ? ["d", "accent3"] : ["θ", "accent4"];
-    const parts = calledWhole(name.slice(0, dot), name.slice(dot + 1), words);
+    const { of, what } = partsOf(name);
+    const [letter, role] = what === "distance" ? ["d", "accent3"] : ["θ", "accent4"];
+    const parts = calledWhole(of, what, words);
     const remove = make("button", {
       id: `measure-remove-${index}`, class: "control icon", type: "button",
       "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": `${letter} ${parts}`,
@@ -214,7 +215,7 @@ export class Measures {
     if (!snapshot) return null;
     const { summary, readouts, handles } = snapshot;
     const held = summary.handles.map(({ name }, i) => ({ name, at: [handles[2 * i], handles[2 * i + 1]] }));
-    const read = ("points" in summary ? summary.points : []).map((name) => ({ name, at: [readouts?.[`${name}.x`], readouts?.[`${name}.y`]] }));
+    const read = ("points" in summary ? summary.points : []).map((name) => ({ name, at: [readouts?.value(`${name}.x`), readouts?.value(`${name}.y`)] }));
     /** @type {string | null} */
     let nearest = null;
     let least = PICK_DISTANCE;

@@ -1,29 +1,32 @@
 // The status line: kind and properties of the mechanism, one entry for each.
-import { withhold, writeReadout } from "assur/controls/readout.js";
-import { byId, make, setData } from "assur/core/dom.js";
+import { writeReadout } from "assur/controls/readout.js";
+import { idOfOutput, isAsked, posed } from "assur/controls/shown.js";
+import { byId, make, setData, write } from "assur/core/dom.js";
 
-/** @typedef {{ text: string | readonly (Node | string)[], value?: number }} Entry */
+/** @typedef {{ text: string, value?: number, nodes?: readonly (Node | string)[] }} Said content of an entry. `nodes`: the text with marks */
+
+/** @typedef {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} Needed */
 
 /**
- * @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S
- * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, late?: boolean, say: (snapshot: S) => Entry | null }>} Item
+ * @template {Needed} S
+ * @typedef {Readonly<{ name: string, title: string, n?: string, class?: string, late?: boolean, reveals?: RegExp, say: (snapshot: S) => Said | null }>} Item
  * `title`: key of the entry's title. `n`: text for {n} in the title, by default the input's symbol. `late`: whether
- * the content is slow to compute, and waits for a moment without changes. `say`: gives the content; null hides the
- * entry.
+ * the content is slow to compute, and waits for a moment without changes. `reveals`: names of quantities, as lessons ask for
+ * them, that the content gives away. `say`: gives the content; the entry is hidden if it is null or empty.
  */
 
 /** Time without a change before late entries are computed, in milliseconds. */
 const MOMENT = 150;
 
-/** @template {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} S */
+/** @template {Needed} S */
 export class StatusLine {
   #list = byId("status", HTMLElement);
-  /** @type {{ name: string, n: string, late: boolean, say: Item<S>["say"], entry: HTMLElement, output: HTMLElement }[]} */
+  /** @type {{ item: Item<S>, said: Said | null, entry: HTMLElement, heading: HTMLElement, output: HTMLElement }[]} */
   #entries;
+  #kind;
+  #page;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #moment;
-  /** Symbol of the input in the titles. */
-  #symbol = "";
   #shown = "";
   /** @type {ReadonlySet<string> | null} */
   #withheld = null;
@@ -31,32 +34,23 @@ export class StatusLine {
   /**
    * @param {string} kind of the documents that have the entries
    * @param {readonly Item<S>[]} items
+   * @param {Pick<import("assur/app/page.js").Page, "model" | "shown">} page
    */
-  constructor(kind, items) {
-    this.#entries = items.map(({ name, title, n = "", class: more = "", late = false, say }) => {
-      const output = make("dd", { id: `out-${name}` });
-      const entry = make("div", { class: `entry ${more}`.trim(), "data-of": kind }, [make("dt", { "data-t": title, "data-n": n }), " ", output, " "]);
+  constructor(kind, items, page) {
+    this.#kind = kind;
+    this.#page = page;
+    this.#entries = items.map((item) => {
+      const heading = make("dt");
+      const output = make("dd", { id: idOfOutput(item.name) });
+      const entry = make("div", { class: `entry ${item.class ?? ""}`.trim(), "data-of": kind }, [heading, " ", output, " "]);
       this.#list.append(entry);
-      return { name, n, late, say, entry, output };
+      return { item, said: null, entry, heading, output };
     });
-  }
-
-  /**
-   * Writes the titles. The {n} of a title is the entry's own, or else the symbol of the input.
-   * @param {string} symbol
-   * @param {import("assur/core/words.js").Words} words
-   */
-  #name(symbol, words) {
-    this.#symbol = symbol;
-    for (const { n, entry } of this.#entries) {
-      entry.querySelector("dt")?.setAttribute("data-n", n || symbol);
-      words.fill(entry);
-    }
   }
 
   /** @param {S} snapshot */
   render(snapshot) {
-    const { words, revision, stale, withheld, coordinate } = snapshot;
+    const { words, revision, stale, withheld } = snapshot;
     setData(this.#list, "faded", String(stale));
     // After a refused state, the entries of the last mechanism stay.
     if (stale && this.#shown.endsWith(` ${words.lang}`)) return;
@@ -64,23 +58,32 @@ export class StatusLine {
     if (shown === this.#shown && withheld === this.#withheld) return;
     this.#withheld = withheld;
     this.#shown = shown;
-    if (coordinate.symbol !== this.#symbol) this.#name(coordinate.symbol, words);
     this.#write(false, snapshot);
     clearTimeout(this.#moment);
     this.#moment = setTimeout(() => this.#write(true, snapshot), MOMENT);
   }
 
   /**
-   * @param {boolean} late whether to write the late entries or the others
+   * @param {boolean} late whether to compute the late entries or the others
    * @param {S} snapshot
    */
   #write(late, snapshot) {
-    for (const { name, say, entry, output } of this.#entries.filter((one) => one.late === late)) {
-      const said = say(snapshot);
-      const text = said?.text ?? "";
-      entry.hidden = said === null || text === "";
-      if (snapshot.withheld.has(name)) withhold(output, snapshot.words);
-      else writeReadout(output, text, said?.value);
+    const { words, withheld, coordinate } = snapshot;
+    const rows = [];
+    for (const one of this.#entries) {
+      const { item: { name, title: key, n = coordinate.symbol, reveals, late: slow = false, say }, entry, heading, output } = one;
+      if (slow === late) one.said = say(snapshot);
+      const { text = "", value, nodes } = one.said ?? {};
+      const title = words.text(key, { n });
+      /** @type {import("assur/controls/shown.js").Cell} */
+      const cell = posed({ id: idOfOutput(name), title, text, value }, isAsked(withheld, name, reveals), words);
+      entry.hidden = text === "";
+      write(heading, title);
+      writeReadout(output, cell);
+      if (nodes && !cell.asked) output.replaceChildren(...nodes);
+      if (text !== "") rows.push({ title, cells: [cell] });
     }
+    // Late entries may come after a document of another kind.
+    if (this.#page.model.kind === this.#kind) this.#page.shown.put("status", rows);
   }
 }

@@ -1,7 +1,7 @@
 // Symbols of quantities, such as φ₃′, ω₅, ẋ.
 import { called } from "assur/core/names.js";
+import { STROKES, idOf, partsOf } from "assur/core/quantity.js";
 
-const STROKES = Object.freeze(["", "′", "″"]);
 const LETTERS = Object.freeze({
   angle: Object.freeze(["φ", "ω", "ε"]),
   load_angle: Object.freeze(["Δ", "Δ′", "Δ″"]),
@@ -35,31 +35,37 @@ export function isLength(what) {
 const WHEEL = /^wheel\d+$/;
 
 /**
- * @param {string} of name of a link
- * @param {string | null | undefined} number number of the link
- * @returns {string} the letter of the link's angle
+ * @typedef {{ name: string, number?: string | null }} Symbolised a quantity: its name, such as `rocker.angle`, and its link's number
  */
-export function letterOfAngle(of, number) {
-  return number && WHEEL.test(of) ? "ψ" : "φ";
+
+/**
+ * Symbol of a quantity or its derivative without the names of its points or links, such as ω₅, ẋ, μ.
+ * @param {Symbolised} quantity
+ * @param {number} order
+ * @param {boolean} physical whether derivatives are with respect to time
+ */
+export function letterOf({ name, number }, order, physical) {
+  const { of, what } = partsOf(name);
+  const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
+  // A lesson may still name a quantity of another kind of mechanism.
+  if (!letters) return idOf(name, order);
+  const index = number ? subscript(number) : "";
+  if (physical && order > 0) return letters[order] + index;
+  const letter = what === "angle" && number && WHEEL.test(of) ? "ψ" : letters[0];
+  return letter + index + STROKES[order];
 }
 
 /**
  * Symbol of a quantity or its derivative, such as ω₅, ẋ. For an unnumbered angle, the link's or joint's name follows.
- * @param {{ name: string, number?: string | null }} quantity its name, as `rocker.angle`, and its link's number
+ * @param {Symbolised} quantity
  * @param {number} order
  * @param {boolean} physical whether derivatives are with respect to time
  * @param {import("assur/core/words.js").Words} words
  */
 export function symbol({ name, number }, order, physical, words) {
-  const dot = name.lastIndexOf(".");
-  const [of, what] = [name.slice(0, dot), name.slice(dot + 1)];
-  const letters = LETTERS[/** @type {keyof typeof LETTERS} */ (what)];
-  // A lesson may still name a quantity of another kind of mechanism.
-  if (!letters) return name + STROKES[order];
-  const index = number ? subscript(number) : "";
-  const letter = what === "angle" ? letterOfAngle(of, number) : letters[0];
+  const { of, what } = partsOf(name);
   const named = OF_POINTS.includes(what) ? ` ${calledWhole(of, what, words)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
-  return (physical && order > 0 ? letters[order] + index : letter + index + STROKES[order]) + named;
+  return letterOf({ name, number }, order, physical) + named;
 }
 
 /**
@@ -70,15 +76,6 @@ export function symbol({ name, number }, order, physical, words) {
  */
 export function calledWhole(of, what, words) {
   return what === "between" ? of.split("-").map((link) => called(link, words)).join("-") : subscript(of);
-}
-
-/**
- * @param {string} name of a quantity
- * @param {number} order of its derivative
- * @returns {string} id of the read-out, such as `rocker.angle″`, by which lessons withhold it
- */
-export function readoutOf(name, order) {
-  return name + STROKES[order];
 }
 
 /**

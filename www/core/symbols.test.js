@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { called, calledIn, entryNumber, numberEntries } from "assur/core/names.js";
-import { isLength, readoutOf, subscript, symbol } from "assur/core/symbols.js";
+import { isLength, subscript, symbol } from "assur/core/symbols.js";
 import { derived } from "assur/core/units.js";
 import { wordsOf } from "assur/tests/words.js";
 
@@ -30,14 +30,6 @@ test("what is measured is said with its points or links", () => {
 test("a quantity without letters of its own goes by its name", () => {
   assert.deepEqual(three({ name: "sun.torque" }, false), ["sun.torque", "sun.torque′", "sun.torque″"]);
   assert.equal(symbol({ name: "dwell" }, 0, true, en), "dwell");
-});
-
-test("read-outs go by the name of their quantity, and no two by one", () => {
-  assert.deepEqual([0, 1, 2].map((order) => readoutOf("rocker.angle", order)), ["rocker.angle", "rocker.angle′", "rocker.angle″"]);
-  // Links and points may be called like each other, like a derivative, like another read-out.
-  const names = ["C.angle", "dC.angle", "ddC.angle", "C.x", "dC.x", "C.x.angle", "C′.angle", "input.angle", "formula.angle", "C.centre.angle"];
-  const all = ["input", "formula", "C.centre", ...names.flatMap((name) => [0, 1, 2].map((order) => readoutOf(name, order)))];
-  assert.equal(new Set(all).size, all.length);
 });
 
 test("coordinates and distances are lengths, all else is an angle", () => {

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
+import { idOf, partsOf } from "assur/core/quantity.js";
 import { Words, unbroken } from "assur/core/words.js";
 import { toCsv } from "assur/export/csv.js";
 import { Coordinate } from "assur/state/coordinate.js";
@@ -69,9 +70,9 @@ test("every number of every table is that of the engine at its input, to the las
     const { moves, cycle, input: number } = engine.set(state);
     const coordinate = new Coordinate(moves, cycle, number);
     const { readouts } = engine.at(coordinate.input(table.rows[5].input));
-    for (const name of Object.keys(readouts).filter((one) => one.endsWith(".angle") || one.endsWith(".x"))) {
-      if (!csv.has(name)) continue;
-      const off = csv.value(5, name) - readouts[name];
+    for (const { quantity: name, order } of readouts.names.all) {
+      if (order > 0 || !/\.(angle|x)$/.test(name) || !csv.has(name)) continue;
+      const off = csv.value(5, name) - readouts.value(name);
       near(name.endsWith(".angle") ? Math.sin(off / 2) : off, 0, 1e-9, `${id} ${name}`);
     }
   }
@@ -153,10 +154,10 @@ test("what is measured and what is plotted of a joint is in the table", async ()
   engine.set(state);
   const { readouts } = engine.at((62 * TURN) / 360);
   for (const name of [...measures, "C.transmission"]) {
-    for (const [order, stroke] of ["", "′", "″"].entries()) {
-      const dot = name.lastIndexOf(".") + 1;
-      const expected = readouts[name + stroke];
-      if (expected !== undefined) near(csv.value(62, name.slice(0, dot) + "d".repeat(order) + name.slice(dot)), expected, 1e-12, name + stroke);
+    for (const order of [0, 1, 2]) {
+      const { of, what } = partsOf(name);
+      const expected = readouts.value(name, order);
+      if (expected !== undefined) near(csv.value(62, `${of}.${"d".repeat(order)}${what}`), expected, 1e-12, idOf(name, order));
     }
   }
   // From the places themselves.

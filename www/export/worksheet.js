@@ -10,9 +10,6 @@ import { END } from "assur/lesson/panel.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
-/** Selector of hidden elements, and of elements that belong to other kinds of mechanism. */
-const ELSEWHERE = ".elsewhere, [hidden]";
-
 /** Side of a cell of the QR code, in millimetres: large enough for a telephone to read the code from paper. */
 const CELL = 0.45;
 /** Quiet zone around the code, in cells. */
@@ -60,7 +57,7 @@ function worksheet(page, steps) {
       make("p", { class: "blanks" }, [line("print.name"), line("print.date")]),
     ]),
     make("div", { class: "figures" }, figures),
-    make("div", { class: "tables" }, [dimensions(page), values(model.summary.moves !== null)]),
+    make("div", { class: "tables" }, [dimensions(page), values(page.shown)]),
     ...(items.length > 0 ? [make("ol", {}, items), ...page.lesson.onPaper(END)] : []),
     foot(address.link(model.lastAccepted), engine),
   ]);
@@ -76,25 +73,14 @@ function dimensions({ engine, model, words }) {
 }
 
 /**
- * @param {boolean} moves whether the mechanism can move; if not, it has no table of values
- * @returns {HTMLElement} read-outs and status line as on the page; values hidden by a lesson stay hidden
+ * @param {import("assur/controls/shown.js").Shown} shown
+ * @returns {HTMLElement} table of values and status line as on the page; values hidden by a lesson stay hidden
  */
-function values(moves) {
-  const copied = moves ? document.querySelectorAll("#readouts > :not(caption) tr") : [];
-  const over = (/** @type {Element} */ cell) => ({ colspan: cell.getAttribute("colspan") ?? "1" });
-  const rows = [...copied].map((row) => make("tr", {}, [...row.children].map((cell) => make("td", over(cell), [read(cell)]))));
-  const entries = [...document.querySelectorAll("#status > .entry")].filter((entry) => !entry.matches(ELSEWHERE));
-  const said = entries.map((entry) => make("p", {}, [[...entry.children].map(read).join(" ")]));
+function values(shown) {
+  const cell = (/** @type {string} */ text, wide = false) => make("td", { colspan: wide ? "3" : "1" }, [text]);
+  const rows = shown.rows("values", "curvature").map(({ title, cells }) => make("tr", {}, [cell(title), ...cells.map(({ text, wide }) => cell(text, wide))]));
+  const said = shown.rows("status").map(({ title, cells: [{ text }] }) => make("p", {}, [`${title} ${text}`]));
   return make("div", {}, [make("table", {}, [make("tbody", {}, rows)]), ...said]);
-}
-
-/**
- * @param {Element} output
- * @returns {string} text of the element, or a question mark if a lesson withholds it
- */
-function read(output) {
-  if (output instanceof HTMLElement && output.dataset.asked) return "?";
-  return output.textContent?.replace(/\s+/g, " ").trim() ?? "";
 }
 
 /**

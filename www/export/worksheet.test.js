@@ -2,33 +2,23 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import { found } from "assur/tests/document.js";
-import { withhold } from "assur/controls/readout.js";
-import { make } from "assur/core/dom.js";
+import "assur/tests/document.js";
+import { posed } from "assur/controls/shown.js";
 import { numberEntries } from "assur/core/names.js";
-import { Context } from "assur/tests/canvas.js";
 import { Words } from "assur/core/words.js";
-import { printWorksheets } from "assur/export/worksheet.js";
 import { FolderLesson } from "assur/lesson/folder.js";
 import { wholePresets } from "assur/lesson/offer.js";
 import { LESSON } from "assur/lessons/mixer/lesson.js";
 import { withDocument } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
-import { happen } from "assur/tests/window.js";
+import { sheetOf } from "assur/tests/sheet.js";
 import { tableOf } from "assur/tests/words.js";
 
 const OWN = JSON.parse(readFileSync(new URL("../lessons/mixer/words.en.json", import.meta.url), "utf8"));
 const words = new Words("en", new Map([...tableOf("en"), ...Object.entries(OWN)]));
 
-globalThis.OffscreenCanvas = class OffscreenCanvas {
-  getContext() {
-    return Object.assign(new Context(), { getImageData: () => ({ data: [0, 0, 0, 255] }) });
-  }
-};
-
 // As the rail of the mixer does.
 numberEntries("wheels", (index) => String(index + 5));
-for (const id of ["mechanism", "charts"]) found.set(id, new HTMLCanvasElement());
 
 /**
  * A page, and what is printed of it.
@@ -37,27 +27,12 @@ for (const id of ["mechanism", "charts"]) found.set(id, new HTMLCanvasElement())
  * @param {(page: Page) => void} prepare
  */
 function print(id = "mixer-a", taught = true, prepare = () => {}) {
-  const picture = { size: { width: 10, height: 10 }, paint() {} };
-  /** What is withheld while the sheet is made. */
-  let withheld = null;
-  const opened = new Page(id, { phi_deg: 75 });
-  const page = Object.assign(opened, {
-    words: words.measured(opened.engine.lengths),
-    mechanism: { cropped: () => picture, fit() {} },
-    chart: { size: picture.size, panels: [], paint() {} },
-    address: { link: () => "https://assur.test/#mixer-a" },
-    posed: (hidden, make) => {
-      withheld = hidden;
-      return make();
-    },
-  });
+  const page = Object.assign(new Page(id, { phi_deg: 75 }), { words });
   prepare(page);
   const steps = taught ? new FolderLesson("mixer", LESSON, {}, page).tell(words).filter(({ question }) => question) : [];
-  page.lesson = { steps: () => steps, onPaper: () => [] };
-  globalThis.document.body.replaceChildren();
-  printWorksheets(page);
-  happen("beforeprint");
-  const sheet = globalThis.document.body.children.at(-1);
+  /** What is withheld while the sheet is made. */
+  let withheld = null;
+  const sheet = sheetOf(page, steps, (hidden) => (withheld = hidden));
   return { sheet, steps, withheld };
 }
 
@@ -117,28 +92,22 @@ test("beside a drawing stand the numbers that it is drawn with, not one that is 
   assert.match(said[0], /^Crank l₁ = 0\.37(?!\d)/);
 });
 
-/** Has the page say what a selector finds. */
-function saying(found, work) {
-  const { querySelectorAll } = document;
-  document.querySelectorAll = (selector) => found[Object.keys(found).find((part) => selector.includes(part))] ?? [];
-  try {
-    return work();
-  } finally {
-    document.querySelectorAll = querySelectorAll;
-  }
-}
-
-test("values of the mechanism that was shown before are not printed with a scheme", () => {
-  const row = make("tr", {}, [make("th", {}, ["φ₁"]), make("td", {}, ["75°"])]);
-  assert.deepEqual(saying({ "#readouts": [row] }, () => lines("mobility-1a", false)), []);
-  assert.equal(saying({ "#readouts": [row] }, () => lines("mixer-a", false)).at(-1), "φ₁75°");
-});
-
-test("what is withheld is a question mark alone", () => {
-  const [cell, output] = [make("td"), make("dd")];
-  for (const one of [cell, output]) withhold(one, words);
-  const found = { "#readouts": [make("tr", {}, [make("th", {}, ["μ"]), cell])], "#status": [Object.assign(make("div", {}, [make("dt", {}, ["swing"]), output]), { matches: () => false })] };
-  const { sheet } = saying(found, () => print("mixer-a", false));
-  const said = sheet.all.map(({ textContent }) => textContent);
-  assert.ok(said.includes("μ?") && said.includes("swing ?"), said.join("; "));
+test("the table of values and the status line are printed as they are shown, and nothing of a document before", () => {
+  const cell = (id, text, more) => ({ id: `out-${id}`, title: id, text, ...more });
+  const show = ({ shown }) => {
+    shown.put("values", [{ title: "", cells: [cell("", "φ")] }, { title: "φ₁ crank", cells: [cell("input", "75°")] }]);
+    shown.put("curvature", [{ title: "R of C", cells: [cell("C.radius", "none", { wide: true })] }]);
+    shown.put("status", [{ title: "swing", cells: [posed(cell("swing-rocker", "87.905°"), true, words)] }]);
+    shown.put("course", [{ title: "arc", cells: [cell("course-arc", "20°")] }]);
+  };
+  const { sheet } = print("mixer-a", false, show);
+  const rows = sheet.all.filter(({ tagName }) => tagName === "TR").slice(-3);
+  assert.deepEqual(rows.map(({ children }) => children.map(({ textContent }) => textContent)), [["", "φ"], ["φ₁ crank", "75°"], ["R of C", "none"]]);
+  assert.deepEqual(rows.map(({ children }) => children[1].attributes.colspan), ["1", "1", "3"]);
+  const said = sheet.all.filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent);
+  assert.ok(said.includes("swing ?") && !/87|arc/.test(sheet.textContent), said.join("; "));
+  assert.deepEqual(lines("mobility-1a", false, (page) => {
+    show(page);
+    page.shown.clear();
+  }), []);
 });

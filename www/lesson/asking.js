@@ -3,7 +3,7 @@ import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { measured } from "assur/core/units.js";
 import { withQuantity, withRight, withShown } from "assur/lesson/fields.js";
-import { quantityName, tellers, unitOf } from "assur/lesson/quantity.js";
+import { quantityName, secrets, unitOf } from "assur/lesson/quantity.js";
 import { QUESTIONS, sortOf, withStep } from "assur/lesson/steps.js";
 import { answerOf, quantities } from "assur/lesson/tasks.js";
 
@@ -63,7 +63,7 @@ export class Asking {
     this.#rows.quantity.hidden = sort !== "number" && sort !== "reach";
     this.#rows.right.hidden = sort !== "choice";
     const wanted = question?.number?.quantity ?? question?.reach?.quantity ?? "";
-    this.#rows.hidden.hidden = sort !== "number" || tellers(wanted).length === 0;
+    this.#rows.hidden.hidden = sort !== "number" || secrets(question?.number).length === 0;
     this.#hidden.checked = !question?.number?.shown;
     this.#list(snapshot, wanted);
     this.#options(question?.choice?.options ?? [], question?.choice?.answer ?? 0);

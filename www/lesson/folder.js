@@ -40,7 +40,7 @@ import { holds, open } from "assur/lesson/show.js";
  * `answer`: the engine's answer for the current mechanism, a number or one of the `choices`; undefined if there is
  * none. `within`: tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored.
  * `integer`: whether the number is a count, so that `ID.right` has plural forms. `places`: further numbers in
- * `ID.right`, for a count only. `hides`: ids of read-outs that give the answer away. The page hides them until the
+ * `ID.right`, for a count only. `hides`: names of read-outs and quantities that give the answer away. The page hides them until the
  * question is answered or the answer is shown.
  */
 
@@ -52,7 +52,7 @@ import { holds, open } from "assur/lesson/show.js";
  * }>} Step
  * `kind`: kind of the step's documents, if not the lesson's. `formula`: a function if it contains a number, which is written with the reader's
  * decimal sign. `relations`: ids of the paper's items whose correct formulas the step shows. `controls`: fields of
- * the controls in the step. `readouts`: ids of its read-outs, without `out-`. `lends`: ids of the parts of the page that it borrows. `figure`:
+ * the controls in the step. `readouts`: names of its read-outs. `lends`: ids of the parts of the page that it borrows. `figure`:
  * a figure of its own.
  */
 

@@ -26,8 +26,8 @@ import { withView } from "assur/state/state.js";
  *   judge: (given: string, snapshot: Snapshot) => Verdict, hint: () => string, right: (snapshot: Snapshot) => string,
  *   answer: (snapshot: Snapshot) => string | null, ofPage: boolean, reached?: (snapshot: Snapshot) => boolean,
  * }>} Question
- * `options`: answers to choose from, null if a number is to be typed. `hides`: ids of read-outs that give the answer away, hidden until the reader has
- * answered or given up. `right`: comment on a right answer. `answer`: the right answer in words, null if there is none. `ofPage`: whether the question
+ * `options`: answers to choose from, null if a number is to be typed. `hides`: quantities and read-outs that give the answer away, hidden until the reader
+ * has answered or given up. `right`: comment on a right answer. `answer`: the right answer in words, null if there is none. `ofPage`: whether the question
  * is about the mechanism on the page, which must be the step's. `reached`: if given, nothing is typed; the answer is right as soon as this is true.
  * @typedef {{ readonly element: HTMLElement, render(snapshot: Snapshot, words: Words): void }} Figure figure of a step, made anew if the words change
  * @typedef {Readonly<{
@@ -80,7 +80,7 @@ export class LessonPanel {
   #reveal = make("button", { id: "lesson-reveal", class: "control", type: "button", onclick: () => this.#showAnswer() });
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
-  #tools = new Tools();
+  #tools;
   /** @type {Figure | undefined} */
   #figure;
   #drawn = make("div", { class: "lesson-figure" });
@@ -105,6 +105,7 @@ export class LessonPanel {
       event.preventDefault();
       this.#answer();
     });
+    this.#tools = new Tools(page.shown);
     this.#own = new OwnMechanism(page, this.#tools.element);
     addEventListener("pagehide", this.#left);
     const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
@@ -188,7 +189,7 @@ export class LessonPanel {
     if (outdated) this.#judged.delete(step.id);
     if (!this.#shown.same(number, this.#words)) this.#write(number);
     if (snapshot.numbersDue) {
-      this.#tools.render();
+      this.#tools.borrow();
       this.#paper?.render(snapshot);
       this.#figure?.render(snapshot, this.#words);
     }
@@ -287,11 +288,11 @@ export class LessonPanel {
     this.#reveal.hidden = solved || reached !== undefined;
   }
 
-  /** @param {readonly string[]} readouts ids of read-outs to hide */
-  #setWithheld(readouts) {
+  /** @param {readonly string[]} hides quantities and read-outs to hide */
+  #setWithheld(hides) {
     const { model } = this.#page;
-    if (readouts.join() === [...model.withheld].join()) return;
-    model.withheld = new Set(readouts);
+    if (hides.join() === [...model.withheld].join()) return;
+    model.withheld = new Set(hides);
     this.#page.redraw();
   }
 

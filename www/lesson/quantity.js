@@ -1,6 +1,7 @@
-// Quantities as lessons name them (`rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`): names, units and read-outs.
+// Quantities as lessons name them (`rocker.angle`, `C.x′`, `W`, `rocker.angle:swing`): names and units.
 import { called } from "assur/core/names.js";
-import { calledWhole, isLength, readoutOf, symbol } from "assur/core/symbols.js";
+import { partsOf, readingOf } from "assur/core/quantity.js";
+import { calledWhole, isLength, symbol } from "assur/core/symbols.js";
 import { measured, unitOfRate } from "assur/core/units.js";
 
 /**
@@ -10,20 +11,6 @@ import { measured, unitOfRate } from "assur/core/units.js";
 
 /** Name of the quantity "number of degrees of freedom". */
 export const W = "W";
-
-/** Suffixes of the names of derivatives, by order. */
-const STROKES = Object.freeze(["", "′", "″"]);
-
-/**
- * Ids, without `out-`, of the read-outs that show a property of the whole motion, by the suffix of the quantity. An id that
- * begins with neither `linkage-` nor `course-` is that of a mixer.
- * @type {Readonly<Record<string, (of: string, what: string) => readonly string[]>>}
- */
-const TELLERS = Object.freeze({
-  swing: (of, what) => ["course-stroke", ...(what === "angle" ? ["linkage-swing", `swing-${of}`] : ["linkage-stroke"])],
-  time_ratio: () => ["linkage-time-ratio", "time-ratio"],
-  worst: (_, what) => [`linkage-${what}`, what],
-});
 
 /**
  * @param {string} quantity
@@ -69,8 +56,8 @@ export function unitIn(asked, seen, words) {
  */
 function unitOfQuantity(quantity, moves, physical, words) {
   if (quantity === "input") return { angle: "°", length: words.unit, time: words.text("unit.s") }[moves];
-  const { bare, what, order, property } = partsOf(quantity);
-  const kind = isLength(what) ? "length" : isAngle(bare) ? "angle" : null;
+  const { name, what, order, property } = read(quantity);
+  const kind = isLength(what) ? "length" : isAngle(name) ? "angle" : null;
   if (kind === null || property === "time_ratio") return "";
   if (kind === "angle" && order === 0) return "°";
   const unit = unitOfRate({ kind, order, physical: physical || moves === "time" }, moves, words);
@@ -79,14 +66,21 @@ function unitOfQuantity(quantity, moves, physical, words) {
 
 /**
  * @param {string} quantity
- * @returns parts of the name. `bare`: the name without primes and suffix; `of`, `what`: its point or link and its quantity; `order`: order of the
+ * @returns parts of the name. `name`: the quantity without strokes and suffix; `of`, `what`: its point or link and its last part; `order`: order of the
  * derivative; `property`: property of the whole motion
  */
-function partsOf(quantity) {
-  const [name, property] = quantity.split(":");
-  const bare = name.replace(/[′″]$/, "");
-  const dot = bare.lastIndexOf(".");
-  return { bare, of: bare.slice(0, dot), what: bare.slice(dot + 1), order: STROKES.indexOf(name.slice(bare.length)), property };
+function read(quantity) {
+  const [reading, property] = quantity.split(":");
+  const { quantity: name, order } = readingOf(reading);
+  return { name, ...partsOf(name), order, property };
+}
+
+/**
+ * @param {Asked | null | undefined} asked
+ * @returns {readonly string[]} what is withheld while a question asks for a number: the quantity asked for, except the input, which is never hidden
+ */
+export function secrets(asked) {
+  return asked?.quantity && asked.quantity !== "input" ? [asked.quantity] : [];
 }
 
 /**
@@ -119,25 +113,12 @@ export function withTolerance(question, within, unit, words) {
 export function quantityName(quantity, { summary, coordinate, state }, words) {
   if (quantity === "input") return coordinate.symbol;
   if (quantity === W) return W;
-  const { bare, of, what, order, property } = partsOf(quantity);
-  const number = summary.moves !== null && bare.endsWith(".angle") ? summary.numbers[of] : undefined;
-  const short = symbol({ name: bare, number }, order, state.view.axes === "physical", words);
+  const { name, of, what, order, property } = read(quantity);
+  const number = summary.moves !== null && what === "angle" ? summary.numbers[of] : undefined;
+  const short = symbol({ name, number }, order, state.view.axes === "physical", words);
   const whose = what.endsWith("angle") ? called(of, words) : calledWhole(of, what, words);
   const said = short.endsWith(whose) ? short : `${short} (${whose})`;
   if (property === undefined) return said;
   // The range is called the swing of an angle and the stroke of a length.
-  return words.text(property === "swing" && !isAngle(bare) ? "write.whole.stroke" : `write.whole.${property}`, { quantity: said });
-}
-
-/**
- * @param {string} quantity as a lesson names it
- * @returns {readonly string[]} ids, without `out-`, of the read-outs that show the quantity; none for the input, which is never hidden
- */
-export function tellers(quantity) {
-  if (quantity === "input") return [];
-  if (quantity === W) return ["linkage-w"];
-  const { bare, of, what, order, property } = partsOf(quantity);
-  if (property !== undefined) return TELLERS[property]?.(of, what) ?? [];
-  // The status line of a differential shows its speeds, too.
-  return [readoutOf(bare, order), ...(order === 1 && what === "angle" ? [`train-${of}`] : [])];
+  return words.text(property === "swing" && !isAngle(name) ? "write.whole.stroke" : `write.whole.${property}`, { quantity: said });
 }

@@ -8,10 +8,10 @@ import { measured } from "assur/core/units.js";
 import { paperTheme, toSvgElement } from "assur/export/pictures.js";
 import { stepOnPaper } from "assur/export/steps.js";
 import { given } from "assur/lesson/given.js";
-import { quantityName, tellers, toleranceOf, unitIn, withTolerance } from "assur/lesson/quantity.js";
+import { quantityName, secrets, toleranceOf, unitIn, withTolerance } from "assur/lesson/quantity.js";
 import { answerOf, coordinateOf, taskOf } from "assur/lesson/tasks.js";
 import { Figure } from "assur/stage/figure.js";
-import { byName } from "assur/state/readouts.js";
+import { Names, Readouts } from "assur/state/readouts.js";
 import { withoutExtras } from "assur/state/state.js";
 
 /**
@@ -134,7 +134,7 @@ function seenIn(state, inputShown, engine) {
     const coordinate = summary.moves === null ? null : coordinateOf(summary);
     const frameInput = coordinate ? coordinate.input(inputShown ?? coordinate.of(state)) : 0;
     const { frame, readouts: values } = other.at(frameInput);
-    const readouts = byName(other.readoutNames(), values);
+    const readouts = Readouts.of(new Names(other.readouts()), values);
     return { state, summary, coordinate, frameInput, frame, readouts, scene: other.scene(), labels: other.labelNames(), lengths: other.lengths() };
   });
 }
@@ -150,8 +150,7 @@ function drawing(seen, { title, question }, { engine, model }, words) {
   if (!seen) return [];
   const { summary: { bounds }, labels, ...drawn } = seen;
   const theme = paperTheme(engine.roles);
-  const quantity = question?.number?.quantity;
-  const withheld = new Set(quantity ? tellers(quantity) : []);
+  const withheld = new Set(secrets(question?.number));
   /** @type {import("assur/export/pictures.js").Picture["paint"]} */
   const paint = (target, its, newPath) => {
     const figure = new Figure({ roles: engine.roles, labels }, its, newPath);

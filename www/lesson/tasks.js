@@ -1,12 +1,13 @@
 // Computations of the engine for a lecturer's lesson: the mechanism of a step with the reader's own numbers, and the answers.
 import { degrees } from "assur/core/angles.js";
 import { attempt } from "assur/core/problem.js";
+import { idOf, readingOf } from "assur/core/quantity.js";
 import { ownNumbers, valueIn } from "assur/lesson/chance.js";
 import { withNumber } from "assur/lesson/field.js";
 import { W, isAngle } from "assur/lesson/quantity.js";
 import { Coordinate } from "assur/state/coordinate.js";
 import { outputsOf } from "assur/state/details.js";
-import { byName } from "assur/state/readouts.js";
+import { Names, Readouts } from "assur/state/readouts.js";
 import { initialState, withDocument, withoutExtras } from "assur/state/state.js";
 
 /**
@@ -115,7 +116,7 @@ export function answerOf(lesson, index, name, engine) {
     if (summary.moves === null) return valueOf(quantity, { summary, inputShown: 0, readouts: null });
     const coordinate = coordinateOf(summary);
     const inputShown = at ?? coordinate.of(task.state);
-    return valueOf(quantity, { summary, inputShown, readouts: byName(other.readoutNames(), other.at(coordinate.input(inputShown)).readouts) });
+    return valueOf(quantity, { summary, inputShown, readouts: Readouts.of(new Names(other.readouts()), other.at(coordinate.input(inputShown)).readouts) });
   })).value;
 }
 
@@ -129,7 +130,8 @@ export function valueOf(quantity, { summary, inputShown, readouts }) {
   if (quantity === "input") return summary.moves === null ? null : inputShown;
   const [name, property] = quantity.split(":");
   if (property !== undefined) return propertyOf(name, property, summary);
-  const value = readouts?.[name];
+  const reading = readingOf(name);
+  const value = readouts?.value(reading.quantity, reading.order);
   return value === undefined ? null : counted(value, name);
 }
 
@@ -168,5 +170,6 @@ export function quantities(here) {
   const outputs = outputsOf(summary).map(({ name }) => name);
   const joints = "transmissions" in summary ? summary.transmissions.map(({ joint, what }) => `${joint}.${what}`) : [];
   const properties = [...outputs, ...joints].flatMap((name) => PROPERTIES.map((property) => `${name}:${property}`));
-  return ["input", W, ...properties, ...Object.keys(readouts ?? {}).filter((name) => name !== "input")].filter((name) => valueOf(name, here) !== null);
+  const read = readouts?.names.all.map(({ quantity, order }) => idOf(quantity, order)) ?? [];
+  return [...new Set(["input", W, ...properties, ...read])].filter((name) => valueOf(name, here) !== null);
 }

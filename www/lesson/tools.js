@@ -1,10 +1,11 @@
 // Tools of a lesson's step: controls and parts of the page, moved into the open step, and copies of read-outs.
-import { byId, make, setData, write } from "assur/core/dom.js";
+import { writeReadout } from "assur/controls/readout.js";
+import { byId, make, write } from "assur/core/dom.js";
 import { fieldOf } from "assur/lesson/field.js";
 
 /**
  * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted
- * Tools of a step. `controls`: fields of the controls. `readouts`: ids of read-outs, without `out-`. `lends`: ids of parts of the page.
+ * Tools of a step. `controls`: fields of the controls. `readouts`: names of read-outs. `lends`: ids of parts of the page.
  * @typedef {import("assur/state/state.js").State["document"]} Document
  * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Borrowed
  * `element`: the borrowed element. `home`: placeholder where the element belongs. `open`: whether the element was unfolded.
@@ -20,12 +21,18 @@ export class Tools {
   #step = null;
   /** @type {(() => Document) | null} */
   #document = null;
-  /** @type {Map<string, { entry: HTMLElement, name: HTMLElement, value: HTMLElement }>} */
-  #mirrors = new Map();
+  #shown;
+  /** @type {Map<string, { entry: HTMLElement, title: HTMLElement, value: HTMLElement }>} elements of the step's read-outs, by their names */
+  #copies = new Map();
   // If the rail is rebuilt, its new controls are borrowed.
-  #watch = new MutationObserver(() => this.#borrow());
+  #watch = new MutationObserver(() => this.borrow());
 
   element = make("div", { class: "lesson-tools" }, [this.#controls, this.#readouts, this.#parts]);
+
+  /** @param {import("assur/controls/shown.js").Shown} shown */
+  constructor(shown) {
+    this.#shown = shown;
+  }
 
   /**
    * @param {Wanted} step
@@ -35,30 +42,28 @@ export class Tools {
     this.close();
     this.#step = step;
     this.#document = document;
-    this.#mirrors = new Map((step.readouts ?? []).map((name) => {
+    this.#copies = new Map((step.readouts ?? []).map((name) => {
       const [title, value] = [make("dt"), make("dd", { "data-out": name })];
-      return [name, { entry: make("div", {}, [title, " ", value]), name: title, value }];
+      return [name, { entry: make("div", {}, [title, " ", value]), title, value }];
     }));
-    this.#readouts.replaceChildren(...[...this.#mirrors.values()].map(({ entry }) => entry));
+    this.#readouts.replaceChildren(...[...this.#copies.values()].map(({ entry }) => entry));
+    this.#shown.changed = () => this.#write();
+    this.#write();
     this.#watch.observe(byId("rail", HTMLElement), { childList: true, subtree: true });
-    this.render();
+    this.borrow();
   }
 
   /** Gives back all borrowed elements. */
   close() {
     this.#watch.disconnect();
+    this.#shown.changed = () => {};
     for (const one of this.#borrowed) giveBack(one);
     this.#borrowed = [];
     this.#step = null;
   }
 
-  /** Borrows elements that are not borrowed yet. Copies the page's read-outs after the page has written them. */
-  render() {
-    this.#borrow();
-    queueMicrotask(() => this.#mirror());
-  }
-
-  #borrow() {
+  /** Borrows elements that are not borrowed yet. */
+  borrow() {
     if (!this.#step || !this.#document) return;
     const { controls = [], lends = [] } = this.#step;
     // If a part of the page with a placeholder was rebuilt, the old element is dropped and its replacement is borrowed.
@@ -91,40 +96,15 @@ export class Tools {
     return true;
   }
 
-  #mirror() {
-    for (const [id, { entry, name, value }] of this.#mirrors) {
-      const source = document.getElementById(`out-${id}`);
-      const row = source?.closest("tr, .entry");
-      // Read-outs of other kinds of mechanisms are also in the page, but hidden.
-      entry.hidden = !row || row.matches("[hidden]") || row.closest(".elsewhere") !== null;
-      write(name, source ? titleOf(source) : "");
-      write(value, source?.textContent ?? "");
-      setData(value, "value", source?.dataset.value ?? "");
+  #write() {
+    for (const [name, { entry, title, value }] of this.#copies) {
+      const cell = this.#shown.find(name);
+      entry.hidden = !cell;
+      if (!cell) continue;
+      write(title, cell.title);
+      writeReadout(value, cell);
     }
   }
-}
-
-/**
- * @param {HTMLElement} source read-out in the table of values, in the status line or in another table
- * @returns {string} name of the read-out
- */
-function titleOf(source) {
-  const title = source.closest("tr, .entry")?.querySelector("th, dt");
-  const symbol = title?.querySelector("b")?.textContent;
-  if (!symbol || !(source instanceof HTMLTableCellElement)) return title?.textContent?.trim() ?? "";
-  const head = source.closest("table")?.tHead?.rows[0].cells[source.cellIndex].textContent ?? "";
-  return `${derived(symbol, source.cellIndex - 1, head)} ${title?.querySelector("span")?.textContent ?? ""}`;
-}
-
-/**
- * @param {string} symbol of a quantity
- * @param {number} order of its derivative
- * @param {string} head heading of the column, which shows the notation of derivatives
- * @returns {string} the symbol of the derivative in that notation
- */
-export function derived(symbol, order, head) {
-  // A derivative with respect to time has a letter of its own: ω.
-  return order > 0 && [...head].length === 1 ? head + symbol.slice(1) : symbol + ["", "′", "″"][order];
 }
 
 /**

@@ -7,7 +7,7 @@ import { hash, nameKey } from "assur/lesson/chance.js";
 import { toCode } from "assur/lesson/code.js";
 import { judged } from "assur/lesson/folder.js";
 import { OWN, originOf } from "assur/lesson/offer.js";
-import { isRound, tellers, toleranceOf, unitOf, withTolerance } from "assur/lesson/quantity.js";
+import { isRound, secrets, toleranceOf, unitOf, withTolerance } from "assur/lesson/quantity.js";
 import { READERS } from "assur/lesson/steps.js";
 import "assur/lesson/style.js";
 import { RESTING, answerOf, shownBy, taskOf, valueOf } from "assur/lesson/tasks.js";
@@ -145,7 +145,7 @@ export class WrittenLesson {
     return {
       text: withTolerance(text, toleranceOf(number), unit, words),
       unit,
-      hides: number?.quantity && !number.shown ? tellers(number.quantity) : [],
+      hides: number?.shown ? [] : secrets(number),
       options: choice ? choice.options.map((option, i) => ({ value: String(i), text: option })) : null,
       judge: (given) => (reach ? "right" : verdictOf(asked, given, () => this.#answer(index))),
       hint: () => hint,

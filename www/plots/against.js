@@ -1,7 +1,8 @@
 // Plot of one quantity against another: its text, its cursor, and the input of the point on the curve under a pointer.
 import { cheapest, covered } from "assur/canvas/boxes.js";
 import { textWidth } from "assur/canvas/text-width.js";
-import { readoutOf, subscript, symbol } from "assur/core/symbols.js";
+import { idOf } from "assur/core/quantity.js";
+import { subscript, symbol } from "assur/core/symbols.js";
 import { paintTag } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { axisValueText, inDegrees, power, unitOf } from "assur/plots/units.js";
@@ -149,7 +150,7 @@ export function drawAgainstCursor(context, plot, values, { coordinate, state, wo
   if (!tagged) return;
   const { playing } = state.view;
   const numbers = [x, y].map((axis, i) => {
-    const hidden = axis.name !== null && withheld.has(readoutOf(axis.name, axis.order));
+    const hidden = axis.name !== null && withheld.has(idOf(axis.name, axis.order));
     return hidden ? "?" : xyValueText(axis, plot, values[i], words, playing);
   }).join("; ");
   const text = input === undefined ? numbers : `${coordinate.text(input, words, 1)}: ${numbers}`;

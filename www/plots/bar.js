@@ -2,8 +2,9 @@
 import { NumberBox } from "assur/controls/number-box.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
-import { derived } from "assur/core/units.js";
+import { partsOf } from "assur/core/quantity.js";
 import { subscript } from "assur/core/symbols.js";
+import { derived } from "assur/core/units.js";
 import { PairChoice } from "assur/plots/pairs.js";
 import { whose } from "assur/plots/readouts.js";
 import { withView } from "assur/state/state.js";
@@ -151,9 +152,8 @@ export class PlotBar {
  * @returns {string} the measure's name for readers
  */
 function measure(name, words) {
-  const dot = name.lastIndexOf(".");
-  const what = /** @type {import("assur/types/web.js").ListedSummary["what"]} */ (name.slice(dot + 1));
-  return whose({ what, of: [name.slice(0, dot)] }, words);
+  const { of, what } = partsOf(name);
+  return whose({ what: /** @type {import("assur/types/web.js").ListedSummary["what"]} */ (what), of: [of] }, words);
 }
 
 /**

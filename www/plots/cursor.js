@@ -3,7 +3,7 @@ import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { readoutOf } from "assur/core/symbols.js";
+import { idOf } from "assur/core/quantity.js";
 import { drawAgainstCursor } from "assur/plots/against.js";
 import { across, down, shows } from "assur/plots/panel.js";
 import { paintTag, placedTags } from "assur/plots/tags.js";
@@ -153,7 +153,7 @@ export class ChartCursor {
     for (const [i, { name, role }] of panel.series.entries()) {
       const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
+      const text = withheld.has(idOf(name, panel.order)) ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);

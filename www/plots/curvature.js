@@ -1,21 +1,24 @@
 // Read-outs of curvature: radius and centre for paths of traced points, and the diameter of a link's inflection circle.
 import { sentence } from "assur/controls/problems.js";
 import { writeReadout } from "assur/controls/readout.js";
+import { idOfOutput, isAsked, posed } from "assur/controls/shown.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
+import { idOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
-import { readoutOf, subscript } from "assur/core/symbols.js";
-import { row } from "assur/plots/readouts.js";
+import { subscript } from "assur/core/symbols.js";
+import { BLANK, tableCell, tableRow } from "assur/plots/readouts.js";
 import { quantityText } from "assur/plots/values.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/types/web.js").CurvatureHere} Here
+ * @typedef {import("assur/controls/shown.js").Cell & Readonly<{ at?: readonly [number, number], why?: boolean }>} Cell
+ * `at`: coordinates in the text. `why`: whether the text is the reason for a missing value
+ * @typedef {Omit<import("assur/plots/readouts.js").TableRow, "cells"> & { cells: readonly Cell[] }} Row
  */
 
-/** Orders of the derivatives, one for each column of values. */
-const ORDERS = Object.freeze([0, 1, 2]);
 const NONE = "—";
 
 /** @type {Here} */
@@ -23,69 +26,68 @@ const NOTHING = Object.freeze({ circles: [], inflection: null });
 
 export class Curvature {
   #engine;
+  #rows;
   #body = make("tbody", { id: "curvature-readouts" });
   #shown = new Seen();
 
-  /** @param {import("assur/app/page.js").Page} page */
-  constructor({ engine }) {
+  /** @param {Pick<import("assur/app/page.js").Page, "engine" | "shown">} page */
+  constructor({ engine, shown }) {
     this.#engine = engine;
+    this.#rows = shown;
     byId("readouts", HTMLTableElement).append(this.#body);
   }
 
   /** @param {import("assur/state/model.js").Snapshot} snapshot */
-  render({ state, summary, frameInput, readouts, words, stale, numbersDue }) {
+  render({ state, summary, frameInput, readouts, words, stale, numbersDue, withheld }) {
     if (stale || !numbersDue) return;
     const on = state.view.curvature && "points" in summary;
-    if (this.#shown.same(on, readouts, words)) return;
-    if (!on) {
-      this.#body.replaceChildren();
-      return;
-    }
-    const { value } = attempt(() => this.#engine.simulator.curvature(frameInput));
-    this.#body.replaceChildren(...rows(value ?? NOTHING, words));
+    if (this.#shown.same(on, readouts, words, withheld)) return;
+    const here = on ? attempt(() => this.#engine.simulator.curvature(frameInput)).value : null;
+    const rows = curvatureRows(here ?? NOTHING, words, withheld);
+    this.#body.replaceChildren(...rows.map(element));
+    this.#rows.put("curvature", rows);
   }
 }
 
 /**
  * @param {Here} here
  * @param {Words} words
- * @returns {readonly HTMLElement[]} rows of the table, each in the colour of its circle in the drawing
+ * @param {ReadonlySet<string>} withheld
+ * @returns {readonly Row[]} rows of the table, each in the colour of its circle in the drawing
  */
-function rows({ circles, inflection }, words) {
-  const title = (/** @type {string} */ letter, /** @type {string} */ text) => [make("b", {}, [letter]), " ", make("span", {}, [text])];
-  const said = circles.flatMap(({ point, radius, centre, reason }) => {
+function curvatureRows({ circles, inflection }, words, withheld) {
+  const row = (/** @type {string} */ role, /** @type {string} */ letter, /** @type {string} */ name, /** @type {readonly Cell[]} */ cells) => ({ title: `${letter} ${name}`, letter, name, role, cells });
+  /** @type {(quantity: string, order: number, letter: string, name: string, said: Pick<Cell, "text" | "value" | "at" | "why" | "wide">) => Cell} */
+  const cell = (quantity, order, letter, name, said) => {
+    const id = idOf(quantity, order);
+    return posed({ id: idOfOutput(id), title: `${idOf(letter, order)} ${name}`, ...said }, isAsked(withheld, id), words);
+  };
+  const why = (/** @type {import("assur/core/problem.js").Problem | null} */ reason) => ({ text: reason ? sentence(reason, words) : NONE, why: true, wide: true });
+  const length = (/** @type {number} */ value, order = 0) => ({ text: quantityText(value, "x", order, words).text, value });
+  const rows = circles.flatMap(({ point, radius, centre, reason }) => {
     const of = subscript(point);
-    const own = title("R", words.text("curvature.radius", { of }));
-    if (!radius || !centre) return [row("accent1", false, own, [why(`out-${point}.radius`, reason, words)])];
-    const values = ORDERS.map((order) => cell(`out-${readoutOf(`${point}.radius`, order)}`, radius[order], order, words));
-    const centreCell = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
-    centreCell.append(`(${centre.map((way) => quantityText(way, "x", 0, words).text).join("; ")})`);
-    return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [centreCell])];
+    const [quantity, name] = [`${point}.radius`, words.text("curvature.radius", { of })];
+    if (!radius || !centre) return [row("accent1", "R", name, [cell(quantity, 0, "R", name, why(reason))])];
+    const centreName = words.text("curvature.centre", { of });
+    const said = { text: `(${centre.map((way) => length(way).text).join("; ")})`, at: centre, wide: true };
+    return [
+      row("accent1", "R", name, radius.map((value, order) => cell(quantity, order, "R", name, length(value, order)))),
+      row("accent1", "K", centreName, [cell(`${point}.centre`, 0, "K", centreName, said)]),
+    ];
   });
-  if (!inflection) return said;
+  if (!inflection) return rows;
   const { link, diameter, reason } = inflection;
-  const id = `out-${link}.inflection`;
-  const cells = diameter === null ? [why(id, reason, words)] : [cell(id, diameter, 0, words), make("td"), make("td")];
-  return [...said, row("accent2", false, title("D", words.text("curvature.inflection", { of: called(link, words) })), cells)];
+  const name = words.text("curvature.inflection", { of: called(link, words) });
+  const own = cell(`${link}.inflection`, 0, "D", name, diameter === null ? why(reason) : length(diameter));
+  return [...rows, row("accent2", "D", name, diameter === null ? [own] : [own, BLANK, BLANK])];
 }
 
-/**
- * @param {string} id
- * @param {number} value a length, or its derivative
- * @param {number} order
- * @param {Words} words
- */
-function cell(id, value, order, words) {
-  const made = make("td", { id });
-  writeReadout(made, quantityText(value, "x", order, words).text, value);
-  return made;
-}
-
-/**
- * @param {string} id
- * @param {import("assur/core/problem.js").Problem | null} reason reason for a missing value
- * @param {Words} words
- */
-function why(id, reason, words) {
-  return make("td", { id, class: "why", colspan: "3" }, [reason ? sentence(reason, words) : NONE]);
+/** @param {Row} row */
+function element(row) {
+  return tableRow(row, row.cells.map((cell) => {
+    const { at, why } = cell;
+    const output = tableCell(cell, { ...(why && { class: "why" }), ...(at && { "data-x": String(at[0]), "data-y": String(at[1]) }) });
+    writeReadout(output, cell);
+    return output;
+  }));
 }

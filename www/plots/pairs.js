@@ -1,6 +1,7 @@
 // Choice of two quantities to plot against each other: usual pairs in the list of plots, and two lists for other pairs.
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { partsOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, subscript, symbol } from "assur/core/symbols.js";
 import { outputsOf } from "assur/state/details.js";
@@ -37,8 +38,8 @@ function chosen({ x, y }) {
  * @returns {string} name of the derivative, as in the headings of exported tables
  */
 function derivative(name, order) {
-  const dot = name.lastIndexOf(".") + 1;
-  return name.slice(0, dot) + "d".repeat(order) + name.slice(dot);
+  const { of, what } = partsOf(name);
+  return `${of}.${"d".repeat(order)}${what}`;
 }
 
 export class PairChoice {
@@ -87,10 +88,9 @@ export class PairChoice {
     const named = outputsOf(summary).map(({ name }) => name);
     const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
     const whose = (/** @type {string} */ name) => {
-      const of = name.slice(0, name.lastIndexOf("."));
-      if (name.endsWith(".load_angle")) return words.text("readouts.load_angle", { name: called(of, words) });
-      if (name.endsWith(".angle")) return called(of, words);
-      const what = name.slice(of.length + 1);
+      const { of, what } = partsOf(name);
+      if (what === "load_angle") return words.text("readouts.load_angle", { name: called(of, words) });
+      if (what === "angle") return called(of, words);
       return /^[xy]$/.test(what) ? `${what} ${subscript(of)}` : calledWhole(of, what, words);
     };
     return make("optgroup", { label: words.text("plots.against") }, [
@@ -140,8 +140,8 @@ function listed(names, numbers, physical, words) {
   /** @type {Map<string, { owner: string, point: boolean, own: string[] }>} groups by key; the key of a link differs from that of a point of the same name */
   const groups = new Map();
   for (const name of names) {
-    const owner = name.slice(0, name.lastIndexOf("."));
-    const point = !name.endsWith("angle");
+    const { of: owner, what } = partsOf(name);
+    const point = !what.endsWith("angle");
     const key = `${point} ${owner}`;
     groups.set(key, { owner, point, own: [...(groups.get(key)?.own ?? []), name] });
   }

@@ -1,120 +1,142 @@
 // Table of the current input and quantities. The colours of its rows serve as the legend of the drawing and the plots.
-import { withhold, writeReadout } from "assur/controls/readout.js";
-import { byId, make, setData, write } from "assur/core/dom.js";
+import { writeReadout } from "assur/controls/readout.js";
+import { idOfOutput, posed } from "assur/controls/shown.js";
+import { byId, make, setData } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { STROKES, idOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
-import { MEASURES, calledWhole, isLength, letterOfAngle, readoutOf, subscript, symbol } from "assur/core/symbols.js";
+import { MEASURES, calledWhole, isLength, letterOf, subscript } from "assur/core/symbols.js";
 import { quantityText } from "assur/plots/values.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/types/web.js").ListedSummary} Listed
  * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/controls/shown.js").Cell} Cell
+ * @typedef {import("assur/controls/shown.js").Row & Readonly<{ letter: string, name: string, role?: string, curve?: boolean }>} TableRow
+ * `letter`, `name`: the two parts of the title. `role`: of the row's colour; a row without one belongs to the row above it. `curve`: whether
+ * the quantity is plotted.
  */
 
-const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
-/** Heads of two further rows for each quantity if mechanism A is shown, too; B is the current mechanism. */
-const COMPARED_ROWS = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
+/** A cell without a value. */
+export const BLANK = Object.freeze({ id: "", title: "", text: "" });
+
+/** Quantities whose derivatives are not in the table. */
+const BARE = Object.freeze(["transmission", "pressure"]);
 
 export class ReadoutTable {
   #table = byId("readouts", HTMLTableElement);
   #heads = STROKES.map(() => make("th", { scope: "col" }));
-  #input = make("td", { id: "out-input" });
-  #inputName = make("span");
-  #inputSymbol = make("b");
-  /** @type {{ listed: Listed, order: number, output: HTMLElement }[]} */
-  #cells = [];
-  /** @type {{ listed: Listed, order: number, outputs: Record<keyof typeof COMPARED_ROWS, HTMLElement> }[]} */
-  #comparedRows = [];
+  #shown;
+  /** @type {readonly (readonly HTMLElement[])[]} cells of each row */
+  #outputs = [];
   #built = new Seen();
 
-  constructor() {
+  /** @param {Pick<import("assur/app/page.js").Page, "shown">} page */
+  constructor({ shown }) {
+    this.#shown = shown;
     this.#table.tHead?.append(make("tr", {}, [make("td"), ...this.#heads]));
-    this.#table.tBodies[0].append(row("crank", false, [this.#inputSymbol, " ", this.#inputName], [this.#input, make("td"), make("td")]));
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { state, summary, readouts, coordinate, inputShown, words, stale, numbersDue, withheld, compares } = snapshot;
+    const { summary, words, stale, numbersDue, compares } = snapshot;
     setData(this.#table, "faded", String(stale));
     if (!numbersDue) return;
-    if (!this.#built.same(summary, words, state.view.axes, compares)) this.#build(snapshot);
-    write(this.#input, coordinate.written(inputShown, words, state.view.playing ? 1 : 3));
-    this.#input.dataset.value = String(inputShown);
-    for (const { listed, order, output } of this.#cells) {
-      const value = readouts?.[listed.name + STROKES[order]];
-      const said = value === undefined ? null : quantityText(value, listed.what, order, words);
-      if (withheld.has(readoutOf(listed.name, order))) withhold(output, words);
-      else writeReadout(output, said?.text ?? NONE, said?.value);
-    }
-    this.#compare(snapshot);
+    const quantities = [inputRow(snapshot), ...summary.listed.flatMap((listed) => quantityRows(listed, snapshot))];
+    if (!this.#built.same(summary, words, compares)) this.#build(quantities);
+    const rows = [headsOf(snapshot), ...quantities];
+    for (const [i, { cells }] of rows.entries()) cells.forEach((cell, k) => writeReadout(this.#outputs[i][k], cell));
+    this.#shown.put("values", rows);
   }
 
-  /** @param {Snapshot} snapshot */
-  #compare({ readouts, compared, words, withheld }) {
-    for (const { listed, order, outputs } of this.#comparedRows) {
-      const name = listed.name + STROKES[order];
-      const [a, b] = [compared?.readouts?.[name], readouts?.[name]];
-      const difference = differenceOf(listed.what, order, a, b);
-      for (const [value, output] of /** @type {const} */ ([[a, outputs.a], [difference, outputs.difference]])) {
-        const said = value === undefined ? null : quantityText(value, listed.what, order, words);
-        // The difference from A would give a withheld value away.
-        if (output === outputs.difference && withheld.has(readoutOf(listed.name, order))) withhold(output, words);
-        else writeReadout(output, said?.text ?? NONE, said?.value);
-      }
-    }
+  /** @param {readonly TableRow[]} rows */
+  #build(rows) {
+    const outputs = rows.map(({ cells }) => cells.map((cell) => tableCell(cell)));
+    this.#table.tBodies[0].replaceChildren(...rows.map((row, i) => tableRow(row, outputs[i])));
+    this.#outputs = [this.#heads, ...outputs];
   }
+}
 
-  /** @param {Snapshot} snapshot */
-  #build({ state: { view }, summary: { listed, curves }, coordinate, words, compares }) {
-    write(this.#inputSymbol, coordinate.symbol);
-    write(this.#inputName, words.text(`readouts.input.${coordinate.moves}`));
-    // The heads show the symbols of the derivatives of angles, of lengths or of both.
-    const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => listed.some(({ what }) => what === one));
-    const usual = found("angle", "load_angle", "x", "y");
-    // Measures have letters of their own, which are in the heads only if no other quantities are listed.
-    const sorts = usual.length > 0 ? usual : found(...MEASURES);
-    const physical = view.axes === "physical" || coordinate.moves === "time";
-    this.#heads.forEach((head, order) => {
-      write(head, sorts.map((sort) => symbol({ name: `.${sort}` }, order, physical, words).trim()).join(", "));
-    });
-    this.#cells = [];
-    this.#comparedRows = [];
-    const rows = listed.flatMap((one) => {
-      const bare = one.what === "transmission" || one.what === "pressure";
-      const cells = STROKES.map((_, order) => {
-        if (bare && order > 0) return make("td");
-        const output = make("td", { id: `out-${readoutOf(one.name, order)}` });
-        this.#cells.push({ listed: one, order, output });
-        return output;
-      });
-      const title = [make("b", {}, [letter(one)]), " ", make("span", {}, [ofRow(one, words)])];
-      const own = row(one.role, curves.includes(one.name), title, cells);
-      return compares ? [own, ...this.#besideRows(one, bare ? 1 : STROKES.length)] : [own];
-    });
-    const [input] = this.#table.tBodies[0].rows;
-    this.#table.tBodies[0].replaceChildren(input, ...rows);
-  }
+/**
+ * @param {Snapshot} snapshot
+ * @returns {boolean} whether derivatives are with respect to time
+ */
+function isPhysical({ state: { view }, coordinate }) {
+  return view.axes === "physical" || coordinate.moves === "time";
+}
 
-  /**
-   * @param {Listed} listed
-   * @param {number} count of values in a row: the quantity and its derivatives
-   * @returns {HTMLElement[]} the rows of the comparison
-   */
-  #besideRows(listed, count) {
-    const sorts = /** @type {(keyof typeof COMPARED_ROWS)[]} */ (Object.keys(COMPARED_ROWS));
-    const outputs = STROKES.map((_, order) => {
-      const made = sorts.map((sort) => [sort, make("td", order < count ? { id: `${sort}-${readoutOf(listed.name, order)}` } : {})]);
-      return /** @type {Record<keyof typeof COMPARED_ROWS, HTMLElement>} */ (Object.fromEntries(made));
-    });
-    outputs.slice(0, count).forEach((pair, order) => this.#comparedRows.push({ listed, order, outputs: pair }));
-    return sorts.map((sort) => {
-      const head = make("th", { scope: "row" }, [make("b"), " ", make("span", {}, [COMPARED_ROWS[sort]])]);
-      return make("tr", { class: "beside" }, [head, ...outputs.map((pair) => pair[sort])]);
-    });
-  }
+/**
+ * @param {Snapshot} snapshot
+ * @returns {import("assur/controls/shown.js").Row} the symbols of the derivatives of angles, of lengths or of both
+ */
+function headsOf(snapshot) {
+  const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => snapshot.summary.listed.some(({ what }) => what === one));
+  const usual = found("angle", "load_angle", "x", "y");
+  // Measures have letters of their own, which are in the heads only if no other quantities are listed.
+  const sorts = usual.length > 0 ? usual : found(...MEASURES);
+  const symbols = (/** @type {number} */ order) => sorts.map((sort) => letterOf({ name: `.${sort}` }, order, isPhysical(snapshot))).join(", ");
+  return { title: "", cells: STROKES.map((_, order) => ({ ...BLANK, text: symbols(order) })) };
+}
+
+/**
+ * @param {Snapshot} snapshot
+ * @returns {TableRow}
+ */
+function inputRow({ state, coordinate, inputShown, words }) {
+  const [letter, name] = [coordinate.symbol, words.text(`readouts.input.${coordinate.moves}`)];
+  const title = `${letter} ${name}`;
+  const text = coordinate.written(inputShown, words, state.view.playing ? 1 : 3);
+  return { title, letter, name, role: "crank", cells: [{ id: idOfOutput("input"), title, text, value: inputShown }, BLANK, BLANK] };
+}
+
+/**
+ * @param {Listed} listed
+ * @param {Snapshot} snapshot
+ * @returns {TableRow[]} the row of the quantity and, if mechanism A is shown, a row of A and one of the difference; B is the current mechanism
+ */
+function quantityRows(listed, snapshot) {
+  const { readouts, compared, compares, summary: { curves }, withheld, words } = snapshot;
+  const { name: quantity, what, role } = listed;
+  const whose = ofRow(listed, words);
+  const physical = isPhysical(snapshot);
+  /** @type {(idOfCell: (name: string) => string, value: (order: number) => number | undefined, secret?: boolean) => Cell[]} */
+  const cells = (idOfCell, value, secret = true) => STROKES.map((_, order) => {
+    if (order > 0 && BARE.includes(what)) return BLANK;
+    const name = idOf(quantity, order);
+    const known = value(order);
+    const said = known === undefined ? { text: NONE } : quantityText(known, what, order, words);
+    return posed({ id: idOfCell(name), title: `${letterOf(listed, order, physical)} ${whose}`, ...said }, secret && withheld.has(name), words);
+  });
+  const [a, b] = [compared?.readouts, readouts].map((of) => (/** @type {number} */ order) => of?.value(quantity, order));
+  const letter = letterOf(listed, 0, false);
+  const own = { title: `${letter} ${whose}`, letter, name: whose, role, curve: curves.includes(quantity), cells: cells(idOfOutput, b) };
+  if (!compares) return [own];
+  const beside = (/** @type {string} */ name, /** @type {Cell[]} */ values) => ({ title: name, letter: "", name, cells: values });
+  // The difference from A would give a withheld value away.
+  const difference = cells((name) => `difference-${name}`, (order) => differenceOf(what, order, a(order), b(order)));
+  return [own, beside("A", cells((name) => `a-${name}`, a, false)), beside("B − A", difference)];
+}
+
+/**
+ * @param {Cell} cell
+ * @param {Readonly<Record<string, string>>} [more] further attributes
+ */
+export function tableCell({ id, wide }, more) {
+  return make("td", { ...(id && { id }), ...(wide && { colspan: String(STROKES.length) }), ...more });
+}
+
+/**
+ * @param {TableRow} row
+ * @param {readonly HTMLElement[]} cells
+ */
+export function tableRow({ letter, name, role, curve }, cells) {
+  const title = [make("b", {}, [letter]), " ", make("span", {}, [name])];
+  if (!role) return make("tr", { class: "beside" }, [make("th", { scope: "row" }, title), ...cells]);
+  const swatch = make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" });
+  return make("tr", {}, [make("th", { scope: "row", style: `--accent: var(--role-${role})` }, [swatch, ...title]), ...cells]);
 }
 
 /**
@@ -135,29 +157,6 @@ export function differenceOf(what, order, a, b) {
  */
 function turned(angle) {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
-}
-
-/**
- * A row of the table.
- * @param {string} role
- * @param {boolean} curve whether the quantity is plotted
- * @param {readonly (Node | string)[]} title
- * @param {readonly HTMLElement[]} cells
- */
-export function row(role, curve, title, cells) {
-  const swatch = make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" });
-  const head = make("th", { scope: "row", style: `--accent: var(--role-${role})` }, [swatch, ...title]);
-  return make("tr", {}, [head, ...cells]);
-}
-
-/** @param {Listed} listed */
-function letter({ what, of, number }) {
-  if (what === "transmission") return "μ";
-  if (what === "pressure") return "α";
-  if (what === "distance") return "d";
-  if (what === "corner" || what === "between") return "θ";
-  if (what === "angle") return letterOfAngle(of[0], number) + subscript(number ?? "");
-  return what === "load_angle" ? `Δ${subscript(number ?? "")}` : what;
 }
 
 /**

@@ -1,7 +1,8 @@
 // Text of the chart: titles with units, and the numbers along the axes.
 import { textWidth } from "assur/canvas/text-width.js";
 import { radians } from "assur/core/angles.js";
-import { subscript, symbol } from "assur/core/symbols.js";
+import { partsOf } from "assur/core/quantity.js";
+import { letterOf, subscript, symbol } from "assur/core/symbols.js";
 import { across, down } from "assur/plots/panel.js";
 import { axisTitle, coordinates, inDegrees, levelText, power, unitOf } from "assur/plots/units.js";
 
@@ -91,9 +92,9 @@ function names(panel, words, naming) {
   const { order, physical, series } = panel;
   const [{ name }] = series;
   // With several points each curve is named with its point.
-  const points = coordinates(panel) ? series.map((one) => subscript(one.name.slice(0, one.name.lastIndexOf(".")))) : [];
+  const points = coordinates(panel) ? series.map((one) => subscript(partsOf(one.name).of)) : [];
   const several = new Set(points).size > 1;
-  if (series.length > MAX_NAMED || naming === "letter") return [[symbol({ name: name.slice(name.lastIndexOf(".")) }, order, physical, words).trim()]];
+  if (series.length > MAX_NAMED || naming === "letter") return [[letterOf({ name }, order, physical)]];
   const symbols = series.map((one, i) => {
     const value = one.level === null || naming === "symbol" ? "" : levelText(panel, one.level, words.numbers);
     const said = value === "" ? "" : naming === "value" ? ` = ${value}` : ` ${words.text("plots.throughout", { value })}`;

@@ -4,7 +4,8 @@ import { Painter } from "assur/canvas/painter.js";
 import { Places } from "assur/canvas/places.js";
 import { degrees } from "assur/core/angles.js";
 import { readable } from "assur/core/numbers.js";
-import { isLength, readoutOf, subscript } from "assur/core/symbols.js";
+import { partsOf } from "assur/core/quantity.js";
+import { isLength, subscript } from "assur/core/symbols.js";
 import { paintSquares } from "assur/stage/paper.js";
 
 /**
@@ -184,10 +185,10 @@ function labelText(label, { frameInput, coordinate, readouts, words, state, with
   if (readout === undefined) return low(label);
   const decimals = readable(1, state?.view.playing ?? false);
   if (readout === "input") return `${symbol} = ${coordinate.text(frameInput, words, decimals)}`;
-  const value = readouts?.[readout];
+  const value = readouts?.value(readout);
   if (value === undefined) return symbol;
-  if (withheld?.has(readoutOf(readout, 0))) return `${symbol} = ?`;
-  const length = isLength(readout.slice(readout.lastIndexOf(".") + 1));
+  if (withheld?.has(readout)) return `${symbol} = ?`;
+  const length = isLength(partsOf(readout).what);
   return `${symbol} = ${length ? words.length(words.numbers.short(value)) : `${words.numbers.fixed(degrees(value), decimals)}°`}`;
 }
 

@@ -2,14 +2,14 @@
 import { NotLoaded } from "assur/core/parts.js";
 import { problemsOf } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
-import { byName } from "assur/state/readouts.js";
+import { Names, Readouts } from "assur/state/readouts.js";
 import { PARTS, initialState, withView } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/types/web.js").Summary} Summary
  * @typedef {import("assur/state/state.js").State} State
  * @typedef {import("assur/pkg/assur_web.js").Simulator} Simulator
- * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float32Array, readouts: import("assur/state/readouts.js").Readouts | null }} Comparison
+ * @typedef {{ scene: Float32Array, labels: readonly string[], revision: number, frame: Float32Array, readouts: Readouts | null }} Comparison
  * mechanism A at an input, with the same data as the drawing of B; `revision`: number of mechanisms that have been A so far
  */
 
@@ -42,8 +42,7 @@ export class Compared {
   #summary = null;
   /** @type {Omit<Comparison, "frame" | "readouts">} */
   #drawn = { scene: new Float32Array(), labels: [], revision: 0 };
-  /** @type {readonly string[]} */
-  #names = [];
+  #names = new Names([]);
   /** Whether A and B have the same kind of input. */
   #alike = false;
 
@@ -82,7 +81,7 @@ export class Compared {
     if (!simulator) return null;
     try {
       const { frame, readouts } = simulator.at(input);
-      return { ...this.#drawn, frame, readouts: byName(this.#names, readouts) };
+      return { ...this.#drawn, frame, readouts: Readouts.of(this.#names, readouts) };
     } catch (thrown) {
       this.#noteBreak(thrown);
       return null;
@@ -114,7 +113,7 @@ export class Compared {
       const simulator = this.#newSimulator();
       try {
         this.#summary = /** @type {Summary} */ (simulator.set(wanted));
-        this.#names = simulator.readoutNames();
+        this.#names = new Names(simulator.readouts());
         this.#drawn = { scene: simulator.scene(), labels: simulator.labelNames(), revision: this.#drawn.revision + 1 };
         this.simulator = simulator;
         return;

@@ -42,7 +42,7 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  * `plotted`: null if there are none at the input. `compared`: mechanism A at the input, null if A is not shown or cannot be assembled;
  * `compares`: whether A is shown. `stale`: whether the mechanism and plots are not those of the state, which has problems. `faded`: whether
  * the drawing is stale or at another input. `numbersDue`: whether numbers are to be written now; in motion they are not written in every frame.
- * `withheld`: ids of the read-outs that are hidden because a lesson asks for them.
+ * `withheld`: what is hidden because a lesson asks for it: quantities as lessons name them, and names of read-outs.
  */
 
 /**
@@ -80,7 +80,7 @@ function notTrapped(problem) {
 }
 
 export class Model {
-  /** @type {ReadonlySet<string>} read-outs that are hidden because a lesson asks for them */
+  /** @type {ReadonlySet<string>} quantities and read-outs that are hidden because a lesson asks for them */
   withheld = new Set();
   #engine;
   #drafts;

@@ -118,7 +118,7 @@ test("all mechanisms of the catalogue have drawings, read-outs and handles at ev
       for (let k = 1; k < 8; k++) {
         const here = update((state) => coordinate.put(state, coordinate.inputShown(from + ((to - from) * k) / 8)));
         assert.deepEqual(here.problems.filter(({ code }) => code !== "change_point"), [], `${id} ${k}`);
-        for (const list of [here.frame, here.handles, Object.values(here.readouts ?? {})]) assert.ok([...list].every(Number.isFinite), `${id} ${k}`);
+        for (const list of [here.frame, here.handles, here.readouts?.values ?? []]) assert.ok([...list].every(Number.isFinite), `${id} ${k}`);
         assert.equal(here.handles.length, 2 * summary.handles.length, id);
         assert.ok(here.readouts !== null, `${id} ${k}`);
       }
@@ -209,13 +209,13 @@ test("what is compared is read at the same input, and only where it changes it i
   // By the same axes, with the same rates of the driver, and what is measured of both.
   const byTime = update((state) => withView(state, { axes: "physical", omega: 2, epsilon: 3, measures: ["A-C.distance"] }));
   assert.deepEqual(byTime.compared.readouts, byTime.readouts);
-  assert.ok("A-C.distance″" in byTime.readouts);
+  assert.notEqual(byTime.readouts.value("A-C.distance", 2), undefined);
   const { revision } = byTime.compared;
   const other = update((state) => withDocument(state, { l2: 0.9 }));
   assert.equal(other.compared.revision, revision);
-  assert.notEqual(other.readouts["rocker.angle"], other.compared.readouts["rocker.angle"]);
+  assert.notEqual(other.readouts.value("rocker.angle"), other.compared.readouts.value("rocker.angle"));
   const turned = update((state) => withView(state, { phi_deg: 100 }));
-  assert.notEqual(turned.compared.readouts["rocker.angle"], other.compared.readouts["rocker.angle"]);
+  assert.notEqual(turned.compared.readouts.value("rocker.angle"), other.compared.readouts.value("rocker.angle"));
   // The drawing has room for both.
   const { kind, document: jansen } = engine.catalogue.preset("jansen");
   const large = update((state) => withExtras(state, { compared: { kind, document: jansen } }));

@@ -1,39 +1,79 @@
-// Read-outs: values at an input, by name.
+// Read-outs: values at an input, and the quantities that they are of.
 
-/** @typedef {Readonly<Record<string, number>>} Readouts values by name, with ′ and ″ for the derivatives that the plots show */
+/** @typedef {import("assur/types/web.js").ReadoutId} ReadoutId */
 
-/**
- * @param {readonly string[]} names
- * @param {Float64Array} values in the order of the names; none if derivatives are unbounded
- * @returns {Readouts | null} values by name; null if there are none
- */
-export function byName(names, values) {
-  if (values.length === 0) return null;
-  /** @type {Record<string, number>} */
-  const named = {};
-  for (let i = 0; i < names.length; i++) named[names[i]] = values[i];
-  return named;
-}
-
-/** Names of read-outs, and the names of the points, links and quantities in them. */
+/** Quantities and orders of all read-outs of a mechanism, and the points, links and quantities in them. */
 export class Names {
-  /** @param {readonly string[]} all */
+  /** @type {ReadonlyMap<string, readonly number[]>} indices of the read-outs of a quantity, by order */
+  #places;
+
+  /** @param {readonly ReadoutId[]} all in the order of the engine's values */
   constructor(all) {
-    const of = (/** @type {string} */ end) => all.filter((name) => name.endsWith(end)).map((name) => name.slice(0, -end.length));
+    /** @type {Map<string, number[]>} */
+    const places = new Map();
+    for (const [place, { quantity, order }] of all.entries()) {
+      const orders = places.get(quantity) ?? [];
+      orders[order] = place;
+      places.set(quantity, orders);
+    }
+    const quantities = [...places.keys()];
+    const of = (/** @type {string} */ end) => quantities.filter((name) => name.endsWith(end)).map((name) => name.slice(0, -end.length));
+    this.#places = places;
     this.all = all;
     /** Points whose coordinates can be plotted. */
     this.points = of(".x");
     /** Links whose angles are read. */
     this.links = of(".angle");
     /** Quantities read with their derivatives. */
-    this.quantities = of("″");
+    this.quantities = all.filter(({ order }) => order === 2).map(({ quantity }) => quantity);
   }
 
   /**
-   * @param {readonly string[]} all
+   * @param {string} quantity
+   * @param {number} order
+   * @returns {number | undefined} index of the read-out; undefined if the mechanism has none
+   */
+  place(quantity, order) {
+    return this.#places.get(quantity)?.[order];
+  }
+
+  /**
+   * @param {readonly ReadoutId[]} all
    * @returns {Names} these names; the same object if nothing changes
    */
   updated(all) {
-    return all.join() === this.all.join() ? this : new Names(all);
+    const same = all.length === this.all.length && all.every(({ quantity, order }, i) => quantity === this.all[i].quantity && order === this.all[i].order);
+    return same ? this : new Names(all);
+  }
+}
+
+/** Values of all read-outs at an input. */
+export class Readouts {
+  /**
+   * @param {Names} names
+   * @param {Float64Array} values in the order of the names
+   */
+  constructor(names, values) {
+    this.names = names;
+    this.values = values;
+  }
+
+  /**
+   * @param {Names} names
+   * @param {Float64Array} values empty if derivatives are unbounded
+   * @returns {Readouts | null} null if there are no values
+   */
+  static of(names, values) {
+    return values.length > 0 ? new Readouts(names, values) : null;
+  }
+
+  /**
+   * @param {string} quantity
+   * @param {number} [order] of the derivative that the plots show
+   * @returns {number | undefined} undefined if the mechanism has no such read-out
+   */
+  value(quantity, order = 0) {
+    const place = this.names.place(quantity, order);
+    return place === undefined ? undefined : this.values[place];
   }
 }

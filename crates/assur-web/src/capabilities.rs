@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::JsValue;
 
 use crate::assemblies::AssembliesHere;
 use crate::change::Change;
-use crate::here::Here;
+use crate::here::{Here, ReadoutId};
 use crate::moving::Moving;
 use crate::table::SweepTable;
 
@@ -136,8 +136,8 @@ pub(crate) trait Moves {
     /// The reason why there is no pose at an input, or why derivatives are unbounded; none otherwise.
     fn why(&self, input: f64) -> Option<Problem>;
 
-    /// The names of the read-outs.
-    fn readout_names(&self) -> Vec<String>;
+    /// What the read-outs of [`Here`] are of.
+    fn readouts(&self) -> Vec<ReadoutId>;
 
     /// Moves the input by a step. Where the motion turns back, the input turns back, too. Returns the new input, and −1
     /// after an odd number of reversals, otherwise 1.

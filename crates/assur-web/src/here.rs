@@ -17,7 +17,7 @@ pub(crate) struct Here {
     #[serde(serialize_with = "double_precision")]
     #[cfg_attr(test, ts(type = "Float64Array"))]
     pub(crate) handles: Vec<f64>,
-    /// Values of `readoutNames`; empty if derivatives are unbounded.
+    /// Values of the read-outs that `readouts` names, in its order; empty if derivatives are unbounded.
     #[serde(serialize_with = "double_precision")]
     #[cfg_attr(test, ts(type = "Float64Array"))]
     pub(crate) readouts: Vec<f64>,
@@ -26,6 +26,29 @@ pub(crate) struct Here {
     #[serde(serialize_with = "double_precision")]
     #[cfg_attr(test, ts(type = "Float64Array"))]
     pub(crate) plotted: Vec<f64>,
+}
+
+/// What a value of [`Here`] is of: a quantity, as in `rocker.angle`, or a derivative of it.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ReadoutId {
+    pub(crate) quantity: String,
+    /// Order of the derivative: 0, 1 or 2.
+    pub(crate) order: u8,
+}
+
+impl ReadoutId {
+    pub(crate) const fn value(quantity: String) -> Self {
+        Self { quantity, order: 0 }
+    }
+
+    /// A quantity with its first and second derivative.
+    pub(crate) fn rates(quantity: &str) -> [Self; 3] {
+        [0, 1, 2].map(|order| Self {
+            quantity: quantity.to_owned(),
+            order,
+        })
+    }
 }
 
 impl Here {

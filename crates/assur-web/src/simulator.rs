@@ -124,16 +124,18 @@ impl Simulator {
         Ok(to_js(&Vec::from_iter(problem)))
     }
 
-    /// Names of the read-outs: the input, the transmission and pressure angles of dyads, then every quantity with its
-    /// first (′) and second (″) derivative, then torques and energies of a gear train under load. Empty if the document
-    /// does not move.
+    /// The read-outs of `at`: the input, the transmission and pressure angles of dyads, then every quantity with its
+    /// first and second derivative, then torques and energies of a gear train under load. Empty if the document does not
+    /// move.
     ///
     /// # Errors
     /// A call before the first `set`.
-    #[wasm_bindgen(js_name = readoutNames)]
-    pub fn readout_names(&self) -> Result<Vec<String>, JsValue> {
+    #[wasm_bindgen(unchecked_return_type = "ReadoutId[]")]
+    pub fn readouts(&self) -> Result<JsValue, JsValue> {
         let moves = self.document()?.moves();
-        Ok(moves.map_or_else(Vec::new, |moves| moves.readout_names()))
+        Ok(to_js(
+            &moves.map_or_else(Vec::new, |moves| moves.readouts()),
+        ))
     }
 
     /// The change after a handle is dragged to a place at an input: `{input}`, or `{document}` with the changed fields.

@@ -77,6 +77,7 @@ fn the_scripts_know_what_crosses_the_border() {
         MotionsMap,
         Belonging,
         crate::here::Here,
+        crate::here::ReadoutId,
     );
     type Shown = (
         ChartRequest,

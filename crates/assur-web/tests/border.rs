@@ -33,6 +33,27 @@ fn at(simulator: &Simulator, input: f64) -> Result<[Vec<f64>; 4], JsValue> {
     }))
 }
 
+/// Quantity and order of each read-out.
+fn readouts(simulator: &Simulator) -> Vec<(String, usize)> {
+    let all = Array::from(&simulator.readouts().unwrap());
+    let part = |id: &JsValue, key: &str| Reflect::get(id, &key.into()).unwrap();
+    all.iter()
+        .map(|id| {
+            let order = part(&id, "order").as_f64().unwrap();
+            (part(&id, "quantity").as_string().unwrap(), order as usize)
+        })
+        .collect()
+}
+
+/// Index of a read-out.
+fn place(simulator: &Simulator, quantity: &str, order: usize) -> usize {
+    let all = readouts(simulator);
+    let found = all
+        .iter()
+        .position(|id| *id == (quantity.to_owned(), order));
+    found.unwrap()
+}
+
 /// Problems of an error.
 fn problems(error: &JsValue) -> JsValue {
     assert!(error.has_type::<Error>());

@@ -15,7 +15,7 @@ const [{ kind, document }] = mixers();
 const simulator = new Simulator();
 // The view of the page has these fields even if they are empty.
 const { home } = simulator.set({ format: 2, kind, document, view: { ...defaultView(), against: null, lesson: null } });
-simulator.readoutNames();
+simulator.readouts();
 simulator.outputs();
 simulator.transmissions();
 simulator.labelNames();

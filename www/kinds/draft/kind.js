@@ -5,7 +5,7 @@ import { withView } from "assur/state/state.js";
 /** @typedef {import("assur/state/model.js").OwnSnapshot<"draft">} Snapshot */
 
 /** @type {import("assur/app/views.js").Make} */
-export const views = ({ store }) => [
+export const views = (page) => [
   new StatusLine("draft", [
     {
       name: "draft-w", title: "status.w",
@@ -15,6 +15,6 @@ export const views = ({ store }) => [
       name: "draft-drivers", title: "status.drivers",
       say: (/** @type {Snapshot} */ { summary: { drivers }, words: { numbers } }) => ({ text: numbers.exact(drivers), value: drivers }),
     },
-  ]),
-  { render: ({ state }) => state.view.drawing || store.update((now) => withView(now, { drawing: true })) },
+  ], page),
+  { render: ({ state }) => state.view.drawing || page.store.update((now) => withView(now, { drawing: true })) },
 ];

@@ -1,6 +1,7 @@
 // Description of a train for screen readers, in addition to the description of its pose.
 import { byId, make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
+import { asksSpeed } from "assur/kinds/gear-train/drives.js";
 
 /** @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot */
 
@@ -30,7 +31,7 @@ export class TrainDescription {
  * @param {ReadonlySet<string>} withheld
  */
 function speedsText({ speeds, slips }, words, withheld) {
-  const said = Object.fromEntries(Object.entries(speeds).map(([body, speed]) => [body, withheld.has(`train-${body}`) ? "?" : words.numbers.upTo(speed, 2)]));
+  const said = Object.fromEntries(Object.entries(speeds).map(([body, speed]) => [body, asksSpeed(body, withheld) ? "?" : words.numbers.upTo(speed, 2)]));
   const parts = [words.text("told.train", said)];
   if (slips) parts.push(words.text("told.slipped", { sun: words.numbers.exact(slips[0]), ring: words.numbers.exact(slips[1]) }));
   return parts.join(" ");

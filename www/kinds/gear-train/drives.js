@@ -2,8 +2,10 @@
 // the other's speed instead.
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
+import { isAsked } from "assur/controls/shown.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { idOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { edited } from "assur/state/state.js";
@@ -25,6 +27,23 @@ export const SHAFTS = Object.freeze({
 
 const SPEEDS = Object.freeze({ min: -120, max: 120, step: 1 });
 const FACTORS = Object.freeze({ min: -3, max: 3, step: 0.01 });
+
+/**
+ * @param {string} body
+ * @returns {RegExp} the name by which a lesson asks for the body's speed
+ */
+export function speedOf(body) {
+  return new RegExp(`^${body}\\.${idOf("angle", 1)}$`);
+}
+
+/**
+ * @param {string} body
+ * @param {ReadonlySet<string>} withheld
+ * @returns {boolean} whether a lesson asks for the body's speed
+ */
+export function asksSpeed(body, withheld) {
+  return isAsked(withheld, `train-${body}`, speedOf(body));
+}
 
 export class DrivesView {
   #store;
@@ -56,7 +75,7 @@ export class DrivesView {
     this.#rows.forEach((row) => row.show(snapshot, wrong));
     const { free, speeds } = summary;
     if (!stale) this.#free.value = free;
-    const speed = withheld.has(`train-${free}`) ? "?" : words.numbers.upTo(speeds[/** @type {Shaft} */ (free)], 3);
+    const speed = asksSpeed(free, withheld) ? "?" : words.numbers.upTo(speeds[/** @type {Shaft} */ (free)], 3);
     write(this.#follows, stale ? "" : words.text("drives.follows", { speed }));
   }
 

@@ -91,8 +91,8 @@ export class LoadView {
    * @param {Words} words
    */
   #tell(readouts, words) {
-    this.#energies.replaceChildren(...ENERGIES.filter((name) => readouts?.[name] !== undefined).map((name) => make("tr", {}, [
-      make("th", { scope: "row" }, [words.text(`energy.${name}`)]), make("td", {}, [words.numbers.brief(readouts?.[name] ?? 0)]),
+    this.#energies.replaceChildren(...ENERGIES.filter((name) => readouts?.value(name) !== undefined).map((name) => make("tr", {}, [
+      make("th", { scope: "row" }, [words.text(`energy.${name}`)]), make("td", {}, [words.numbers.brief(readouts?.value(name) ?? 0)]),
     ])));
   }
 }

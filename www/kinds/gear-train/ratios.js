@@ -4,7 +4,7 @@ import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
-import { SHAFTS } from "assur/kinds/gear-train/drives.js";
+import { SHAFTS, asksSpeed } from "assur/kinds/gear-train/drives.js";
 
 /**
  * @typedef {import("assur/kinds/gear-train/drives.js").Snapshot} Snapshot
@@ -56,7 +56,7 @@ export class RatiosView {
     this.#shafts.replaceChildren(.../** @type {Shaft[]} */ (Object.keys(SHAFTS)).map((shaft) => make("tr", { style: `--accent: var(--role-${SHAFTS[shaft].role})` }, [
       make("th", { scope: "row" }, [`${SHAFTS[shaft].number} ${called(shaft, words)}`]),
       ...[summary.torques[shaft], summary.speeds[shaft], summary.powers[shaft]].map((value, column) =>
-        make("td", {}, [column > 0 && withheld.has(`train-${shaft}`) ? "?" : numbers.upTo(value, 3)])),
+        make("td", {}, [column > 0 && asksSpeed(shaft, withheld) ? "?" : numbers.upTo(value, 3)])),
     ])));
   }
 }

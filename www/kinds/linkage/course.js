@@ -1,6 +1,7 @@
 // The plotted output over a turn: stroke, dwell and cyclogram in the rail; the dwell shaded and magnified on the plots.
 import { NumberRow } from "assur/controls/number-row.js";
-import { withhold, writeReadout } from "assur/controls/readout.js";
+import { writeReadout } from "assur/controls/readout.js";
+import { idOfOutput, isAsked, posed } from "assur/controls/shown.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -131,6 +132,10 @@ function paintInset(context, panel, [from, to], band, value, words, theme) {
 
 /** Values in the rows of the table, in order. */
 const ROWS = Object.freeze(/** @type {const} */ (["stroke", "arc", "residual"]));
+/** Names of the quantities, as lessons ask for them, that the stroke reveals. */
+const SWING = /:swing$/;
+/** Decimals of an input. */
+const DECIMALS = 3;
 
 /** Roles of the colours of the phases. */
 const ROLES = Object.freeze({ rise: "crank", dwell: "coupler", return: "rocker" });
@@ -143,26 +148,24 @@ export class CourseView {
   /** Key of the mechanism for which the page last folded or unfolded the section. */
   #folded = "";
   #name = make("caption");
-  /** Name of the output's travel: swing of an angle, stroke of a length. */
-  #travel = make("th", { scope: "row" });
-  #outputs = new Map(ROWS.map((name) => [name, make("td", { id: `out-course-${name}` })]));
+  #rows = ROWS.map((name) => ({ title: make("th", { scope: "row" }), output: make("td", { id: idOfOutput(`course-${name}`) }) }));
+  #readouts;
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
   #phases = make("p", { class: "note" });
   #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
-    const { store, drafts } = page;
+    const { store, drafts, shown } = page;
+    this.#readouts = shown;
     this.#design = new DesignView(page);
     this.#row = new NumberRow({ field: "band", symbol: "δ", role: "coupler" }, drafts, (band) =>
       store.update((state) => withDocument(state, { band })),
     );
-    const title = (/** @type {string} */ name) => (name === "stroke" ? this.#travel : make("th", { scope: "row", "data-t": `dwell.${name}` }));
-    const rows = ROWS.map((name) => make("tr", {}, [title(name), this.#outputs.get(name) ?? ""]));
     this.#fold.append(
       make("summary", { "data-t": "dwell.heading" }),
       this.#row.element,
-      make("table", { class: "course" }, [this.#name, make("tbody", {}, rows)]),
+      make("table", { class: "course" }, [this.#name, make("tbody", {}, this.#rows.map(({ title, output }) => make("tr", {}, [title, output])))]),
       make("div", { id: "cyclogram-figure" }, [this.#bars, this.#phases]),
       this.#design.element,
     );
@@ -179,30 +182,23 @@ export class CourseView {
     const wrong = problems.some(({ field, path }) => (field ?? path) === "band");
     if (this.#shown.same(profile, words, wrong, band, stale, withheld)) return;
     this.#fold.hidden = !profile;
-    if (!profile) return;
+    if (!profile) {
+      this.#readouts.put("course", []);
+      return;
+    }
     const folded = `${state.document.origin} ${state.document.title} ${state.document.band !== undefined}`;
     if (folded !== this.#folded) this.#fold.open = Boolean(state.document.band);
     this.#folded = folded;
     this.#row.show(band ?? profile.width, words, wrong);
-    const angle = plotted[0].endsWith(".angle");
-    write(this.#travel, words.text(angle ? "dwell.swing" : "dwell.stroke"));
     if (stale) return;
-    const said = (/** @type {number} */ value) => (angle ? words.numbers.angle(value, 4) : words.length(words.numbers.short(value)));
-    const turned = (/** @type {number} */ input) => coordinate.short(input, words, 3);
-    const { stroke, dwell } = profile;
     write(this.#name, called(plotted[0].replace(/\.angle$/, ""), words));
-    const none = words.text("dwell.none");
-    const texts = {
-      stroke: stroke === null ? none : said(stroke),
-      arc: dwell ? turned(dwell.arc[1] - dwell.arc[0]) : none,
-      residual: dwell ? said(dwell.band[1] - dwell.band[0]) : none,
-    };
-    for (const name of ROWS) {
-      const output = /** @type {HTMLElement} */ (this.#outputs.get(name));
-      if (withheld.has(`course-${name}`)) withhold(output, words);
-      else writeReadout(output, texts[name], undefined);
-    }
-    this.#draw(profile, summary, turned, words);
+    const rows = courseRows(profile, snapshot);
+    rows.forEach(({ title, cells: [cell] }, i) => {
+      write(this.#rows[i].title, title);
+      writeReadout(this.#rows[i].output, cell);
+    });
+    this.#readouts.put("course", rows);
+    this.#draw(profile, summary, (input) => coordinate.short(input, words, DECIMALS), words);
   }
 
   /**
@@ -229,4 +225,26 @@ export class CourseView {
     this.#bars.title = told.join("\n");
     write(this.#phases, told.join("; "));
   }
+}
+
+/**
+ * @param {Profile} profile
+ * @param {Snapshot} snapshot
+ * @returns {readonly import("assur/controls/shown.js").Row[]}
+ */
+function courseRows({ stroke, dwell }, { summary: { plotted }, coordinate, words, withheld }) {
+  const angle = plotted[0].endsWith(".angle");
+  const said = (/** @type {number} */ value) => (angle ? words.numbers.angle(value, 4) : words.length(words.numbers.short(value)));
+  const none = words.text("dwell.none");
+  // The travel of an angle is a swing, that of a length a stroke.
+  const told = {
+    stroke: [words.text(angle ? "dwell.swing" : "dwell.stroke"), stroke === null ? none : said(stroke)],
+    arc: [words.text("dwell.arc"), dwell ? coordinate.short(dwell.arc[1] - dwell.arc[0], words, DECIMALS) : none],
+    residual: [words.text("dwell.residual"), dwell ? said(dwell.band[1] - dwell.band[0]) : none],
+  };
+  return ROWS.map((name) => {
+    const [title, text] = told[name];
+    const asked = isAsked(withheld, `course-${name}`, name === "stroke" ? SWING : undefined);
+    return { title, cells: [posed({ id: idOfOutput(`course-${name}`), title, text }, asked, words)] };
+  });
 }

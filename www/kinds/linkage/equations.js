@@ -3,6 +3,7 @@ import { degrees } from "assur/core/angles.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
+import { STROKES } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
 
 /**
@@ -16,7 +17,6 @@ import { Seen } from "assur/core/seen.js";
 
 /** Keys of the names of the equations and of their first and second derivatives. */
 const ORDERS = Object.freeze(["equations.places", "equations.first", "equations.second"]);
-const STROKES = Object.freeze(["", "′", "″"]);
 const SIDES = Object.freeze(/** @type {const} */ (["left", "right", "residual"]));
 const NONE = "—";
 /** `DECIMALS`: decimals of a side. `LARGE`: absolute value from which a side has six significant digits instead. */

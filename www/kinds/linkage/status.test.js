@@ -3,10 +3,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import "assur/tests/document.js";
-import { linkageStatus } from "assur/kinds/linkage/status.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
-import { snapshotOf } from "assur/tests/shown.js";
+import { shownOf } from "assur/tests/shown.js";
 
 const engine = newEngine();
 
@@ -15,15 +14,11 @@ const engine = newEngine();
  * @returns {(name: string) => string} what its entry says, empty where it is not there
  */
 function told(state) {
-  const list = globalThis.document.getElementById("status");
-  list.replaceChildren();
-  linkageStatus().render(snapshotOf(engine, state));
-  const outputs = list.all.filter(({ tagName }) => tagName === "DD");
-  const shown = list.children.filter(({ hidden }) => !hidden).flatMap(({ all }) => all);
+  const { status } = shownOf(engine, state);
   return (name) => {
-    const output = outputs.find(({ attributes }) => attributes.id === `out-${name}`);
-    assert.ok(output, name);
-    return shown.includes(output) ? output.textContent : "";
+    const entry = status.children.find(({ all }) => all.some(({ attributes }) => attributes.id === `out-${name}`));
+    assert.ok(entry, name);
+    return entry.hidden ? "" : entry.children.find(({ tagName }) => tagName === "DD").textContent;
   };
 }
 

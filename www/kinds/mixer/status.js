@@ -1,5 +1,4 @@
 // The status line of a mixer: kind and properties of the mechanism.
-import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
 import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
 
@@ -8,51 +7,56 @@ import { WHEELS, wheelLink } from "assur/kinds/mixer/wheels.js";
  * @typedef {import("assur/state/model.js").OwnSnapshot<"mixer">} Snapshot
  * @typedef {import("assur/state/state.js").State<"mixer">} State
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {{ text: string, value?: number }} Entry
+ * @typedef {import("assur/controls/status.js").Said} Entry
+ * @typedef {import("assur/controls/status.js").Item<Snapshot>} Item
  */
 
 /** @typedef {(summary: Summary, words: Words, state: State) => Entry | null} Say gives the content of an entry, or null for no entry */
 
-/** @type {[string, Say][]} one entry for the swing of each possible peripheral wheel */
-const WHEEL_SWINGS = [...Array(WHEELS.most).keys()].map((index) => [
-  `swing-${wheelLink(index)}`,
-  ({ outputs: [, ...wheels] }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null),
-]);
-
-/** @type {Readonly<Record<string, Say>>} */
-const ENTRIES = Object.freeze({
-  grashof: ({ four_bars: [{ grashof }] }, words) => ({ text: words.text(`grashof.${grashof}`) }),
-  assembly: (_, words, { document }) => ({
-    text: words.text("status.assembly_of", { number: words.numbers.exact(document.assembly), count: words.numbers.exact(2) }),
-    value: document.assembly,
-  }),
-  "swing-rocker": ({ outputs: [{ swing }] }, words) => swingEntry(swing, words),
-  ...Object.fromEntries(WHEEL_SWINGS),
-  overlaps: ({ overlaps }, words) => overlapsEntry(overlaps, words),
-  turns: ({ outputs: [, ...wheels] }, words) => ({
-    text: wheels.map(({ turns }) => turns.map((one) => words.numbers.fixed(one, 3)).join(", ")).join("; "),
-    value: wheels[0].turns[0],
-  }),
-  ratio: ({ ratios }, words) => ({ text: ratios.map((ratio) => words.numbers.upTo(ratio, 4)).join("; "), value: ratios[0] }),
-  "time-ratio": ({ outputs: [{ time_ratio: ratio }] }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }),
-  transmission: ({ transmissions: [{ worst }] }, words) => (worst === null ? null : angleEntry(worst, words)),
-  range: ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => arc.map((end) => words.numbers.angle(end, 2)).join("…")).join(", ") }),
-  "dead-points": ({ dead_points: points }, words) => anglesEntry(points.map(({ input }) => input), words),
-  "change-points": ({ change_points: points }, words) => anglesEntry(points, words),
+/** One entry for the swing of each possible peripheral wheel. */
+const WHEEL_SWINGS = [...Array(WHEELS.most).keys()].map((index) => {
+  const wheel = wheelLink(index);
+  const how = { title: "status.swing-wheel", n: String(index + WHEELS.first), reveals: swingOf(wheel) };
+  return entry(`swing-${wheel}`, ({ outputs: [, ...wheels] }, words) => (wheels[index] ? swingEntry(wheels[index].swing, words) : null), how);
 });
 
-/** @returns {StatusLine<Snapshot>} */
-export function mixerStatus() {
-  return new StatusLine("mixer", Object.entries(ENTRIES).map(([name, say]) => {
-    const [, wheel] = /^swing-wheel(\d+)$/.exec(name) ?? [];
-    return {
-      name,
-      title: wheel ? "status.swing-wheel" : `status.${name}`,
-      n: wheel,
-      class: name === "overlaps" ? "warning" : "",
-      say: ({ summary, words, state }) => say(summary, words, state),
-    };
-  }));
+export const ENTRIES = Object.freeze([
+  entry("grashof", ({ four_bars: [{ grashof }] }, words) => ({ text: words.text(`grashof.${grashof}`) })),
+  entry("assembly", (_, words, { document }) => ({
+    text: words.text("status.assembly_of", { number: words.numbers.exact(document.assembly), count: words.numbers.exact(2) }),
+    value: document.assembly,
+  })),
+  entry("swing-rocker", ({ outputs: [{ swing }] }, words) => swingEntry(swing, words), { reveals: swingOf("rocker") }),
+  ...WHEEL_SWINGS,
+  entry("overlaps", ({ overlaps }, words) => overlapsEntry(overlaps, words), { class: "warning" }),
+  entry("turns", ({ outputs: [, ...wheels] }, words) => ({
+    text: wheels.map(({ turns }) => turns.map((one) => words.numbers.fixed(one, 3)).join(", ")).join("; "),
+    value: wheels[0].turns[0],
+  })),
+  entry("ratio", ({ ratios }, words) => ({ text: ratios.map((ratio) => words.numbers.upTo(ratio, 4)).join("; "), value: ratios[0] })),
+  entry("time-ratio", ({ outputs: [{ time_ratio: ratio }] }, words) => (ratio === null ? null : { text: words.numbers.fixed(ratio, 3), value: ratio }), { reveals: /:time_ratio$/ }),
+  entry("transmission", ({ transmissions: [{ worst }] }, words) => (worst === null ? null : angleEntry(worst, words)), { reveals: /\.transmission:worst$/ }),
+  entry("range", ({ cycle }, words) => (cycle.full ? null : { text: cycle.arcs.map((arc) => arc.map((end) => words.numbers.angle(end, 2)).join("…")).join(", ") })),
+  entry("dead-points", ({ dead_points: points }, words) => anglesEntry(points.map(({ input }) => input), words)),
+  entry("change-points", ({ change_points: points }, words) => anglesEntry(points, words)),
+]);
+
+/**
+ * @param {string} name
+ * @param {Say} say
+ * @param {Partial<Item>} [more]
+ * @returns {Item}
+ */
+function entry(name, say, more) {
+  return { name, title: `status.${name}`, say: ({ summary, words, state }) => say(summary, words, state), ...more };
+}
+
+/**
+ * @param {string} link
+ * @returns {RegExp} the name by which a lesson asks for the link's swing
+ */
+function swingOf(link) {
+  return new RegExp(`^${link}\\.angle:swing$`);
 }
 
 /**

@@ -7,7 +7,7 @@ import { FormulasView } from "assur/kinds/scheme/formulas.js";
 import { GeometryView } from "assur/kinds/scheme/geometry.js";
 import { MethodView } from "assur/kinds/scheme/method.js";
 import { Description } from "assur/kinds/scheme/description.js";
-import { ENTRIES } from "assur/kinds/scheme/status.js";
+import { SAID } from "assur/kinds/scheme/status.js";
 import { wholePresets } from "assur/lesson/offer.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine } from "assur/tests/engine.js";
@@ -31,7 +31,7 @@ function told({ kind, document }) {
     .filter((line) => line !== words.text("replace.said"));
   // Of a sum what it comes to.
   const said = [...lines, page.getElementById("mechanism-description").textContent].flatMap((line) => line.match(/\bq = [^.;]*/) ?? []);
-  return [...said.map((one) => Number(one.split("= ").at(-1))), ENTRIES.q(summary, words).value];
+  return [...said.map((one) => Number(one.split("= ").at(-1))), SAID.q(summary, words).value];
 }
 
 test("one scheme has one q: that of the rank", () => {
@@ -60,5 +60,5 @@ test("where the geometry is not known q is that of the count", () => {
   const unknown = { ...document, pairs: [{ ...first, at: undefined }, ...others] };
   const { summary, words } = snapshotOf(engine, initialState(kind, unknown, { lang: "en" }));
   assert.equal(summary.space, null);
-  assert.equal(ENTRIES.q(summary, words).value, summary.redundant);
+  assert.equal(SAID.q(summary, words).value, summary.redundant);
 });

@@ -100,7 +100,7 @@ export class PositionsView {
     for (let by = NEXT; by < 360; by += NEXT) {
       const input = (last.input_deg + by) % 360;
       const here = attempt(() => this.#engine.at(radians(input) + inputStart)).value;
-      const output = here?.readouts?.["rocker.angle"];
+      const output = here?.readouts?.value("rocker.angle");
       if (output === undefined || positions.some(({ input_deg: given }) => given === input)) continue;
       const turned = degrees(output - outputStart) % 360;
       return { output_deg: turned < 0 ? turned + 360 : turned, input_deg: input, weight: 1 };

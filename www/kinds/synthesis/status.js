@@ -1,13 +1,12 @@
 // The status line of a synthesis: the verdict on the drawn linkage.
-import { StatusLine } from "assur/controls/status.js";
 import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/types/web.js").SynthesisSummary["drawn"]} Solution */
 
 /** @typedef {NonNullable<Solution["verdict"]>} Verdict */
 
-/** @type {Readonly<Record<string, (verdict: Verdict, words: import("assur/core/words.js").Words, solution: Solution) => import("assur/controls/status.js").Entry>>} */
-const ENTRIES = Object.freeze({
+/** @type {Readonly<Record<string, (verdict: Verdict, words: import("assur/core/words.js").Words, solution: Solution) => import("assur/controls/status.js").Said>>} contents, by name */
+const SAID = Object.freeze({
   grashof: ({ grashof }, words) => ({ text: words.text(`grashof.${grashof}`) }),
   passage: ({ passage }, words) => ({ text: words.text(`verdict.${passage}`) }),
   order: ({ order }, words) => ({ text: words.text(`verdict.${order}`) }),
@@ -20,11 +19,8 @@ const TITLES = Object.freeze({
   grashof: "status.grashof", passage: "verdict.passage", order: "verdict.order", transmission: "status.transmission", ratio: "verdict.ratio", gap: "verdict.gap",
 });
 
-/** @returns {StatusLine<import("assur/kinds/synthesis/positions.js").Snapshot>} */
-export function synthesisStatus() {
-  return new StatusLine("synthesis", Object.entries(ENTRIES).map(([name, say]) => ({
-    name: `synthesis-${name}`,
-    title: TITLES[/** @type {keyof typeof TITLES} */ (name)],
-    say: ({ summary: { drawn }, words }) => drawn.verdict && say(drawn.verdict, words, drawn),
-  })));
-}
+export const ENTRIES = Object.freeze(Object.entries(SAID).map(([name, say]) => ({
+  name: `synthesis-${name}`,
+  title: TITLES[/** @type {keyof typeof TITLES} */ (name)],
+  say: (/** @type {import("assur/kinds/synthesis/positions.js").Snapshot} */ { summary: { drawn }, words }) => drawn.verdict && say(drawn.verdict, words, drawn),
+})));

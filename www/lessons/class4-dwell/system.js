@@ -2,6 +2,7 @@
 // derivatives of their coordinates with respect to the input): numerical coefficients and solution.
 import { make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { STROKES } from "assur/core/quantity.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 
 /**
@@ -12,7 +13,7 @@ import { withSubscripts } from "assur/core/subscripts.js";
 /** `LINKS`: links that give the equations. `UNKNOWNS`: unknowns of the equations. `ORDERS`: marks of derivatives. */
 const LINKS = Object.freeze(["EB", "EG", "GH", "FK", "LC", "CD"]);
 const UNKNOWNS = Object.freeze(["x_E", "y_E", "x_G", "y_G", "x_C", "y_C"]);
-const ORDERS = Object.freeze(["′", "″"]);
+const ORDERS = STROKES.slice(1);
 /** Items of the paper that contain the solution, by order of the derivative and by point: E, G, C. */
 const SOLVED = Object.freeze([["003.vE", "003.cramer1", "003.vC"], ["003.aE", "003.cramer2", "003.aC"]]);
 const DECIMALS = 3;

@@ -11,7 +11,7 @@ use assur_file::Problem;
 use super::Moving;
 use crate::capabilities::Moves;
 use crate::handle::HandlePlace;
-use crate::here::Here;
+use crate::here::{Here, ReadoutId};
 use crate::pair::{INPUT, Pair};
 use crate::table::SweepTable;
 
@@ -113,17 +113,15 @@ impl Moves for Moving {
         Some(self.problem(&unsolved))
     }
 
-    fn readout_names(&self) -> Vec<String> {
+    fn readouts(&self) -> Vec<ReadoutId> {
         let mechanism = self.mechanism();
         let angles = self.transmitting.iter().map(|one| one.name(mechanism, 0));
-        let quantities = self.quantities.iter().flat_map(|one| {
-            let name = one.name(mechanism, 0);
-            ["", "′", "″"].map(|stroke| [&name, stroke].concat())
-        });
+        let quantities = self.quantities.iter().map(|one| one.name(mechanism, 0));
         [INPUT.to_owned()]
             .into_iter()
             .chain(angles)
-            .chain(quantities)
+            .map(ReadoutId::value)
+            .chain(quantities.flat_map(|name| ReadoutId::rates(&name)))
             .collect()
     }
 

@@ -67,13 +67,14 @@ fn a_strong_load_makes_meshes_slip() {
         1
     };
     let (name, plates) = [("sun", 20.0), ("ring", 43.0)][mesh];
-    let angle = readout(&simulator, 6.0, &format!("{name}.load_angle"));
+    let angle = readout(&simulator, 6.0, &format!("{name}.load_angle"), 0);
     let periods = angle / (std::f64::consts::TAU / plates);
     assert!(
         (periods - number(&slips[mesh])).abs() < 0.5,
         "{periods} {slips:?}"
     );
-    let imbalance = readout(&simulator, 6.0, "imbalance") / readout(&simulator, 6.0, "driven");
+    let imbalance =
+        readout(&simulator, 6.0, "imbalance", 0) / readout(&simulator, 6.0, "driven", 0);
     assert!(imbalance.abs() < 1e-6, "{imbalance}");
 }
 
@@ -142,20 +143,13 @@ fn the_table_has_a_row_for_every_step() {
             &json!({"loaded": loaded, "span_s": 1}),
         );
         let table = value(&simulator.sweep(8).unwrap());
-        let names = simulator.readout_names().unwrap();
-        let column = |name: &String| match name.split_once('.') {
-            Some((of, what)) if what.ends_with('′') => {
-                format!("{of}.d{}", what.trim_end_matches('′'))
-            }
-            Some((of, what)) if what.ends_with('″') => {
-                format!("{of}.dd{}", what.trim_end_matches('″'))
-            }
-            _ => name.clone(),
+        let column = |(quantity, order): &(String, usize)| match quantity.split_once('.') {
+            Some((of, what)) => format!("{of}.{}{what}", "d".repeat(*order)),
+            None => quantity.clone(),
         };
-        let columns: Vec<String> = names[1..].iter().map(column).collect();
-        let columns: Vec<Value> = columns
+        let columns: Vec<Value> = readouts(&simulator)[1..]
             .iter()
-            .map(|name| json!({"name": name, "quantity": null}))
+            .map(|id| json!({"name": column(id), "quantity": null}))
             .collect();
         assert_eq!(table["columns"], json!(columns));
         let rows = table["rows"].as_array().unwrap();

@@ -114,12 +114,10 @@ fn chart_draws_where_its_layout_says() {
     assert_eq!(number(&layout, "panels.0.left"), 44.0);
     let crank = 60.0_f64.to_radians();
     let [_, _, values, _] = at(&simulator, crank).unwrap();
-    let names = simulator.readout_names().unwrap();
-    let orders = ["rocker.angle", "rocker.angle′", "rocker.angle″"];
-    for (panel, name) in orders.into_iter().enumerate() {
-        let panel = get(&layout, &format!("panels.{panel}"));
+    for order in 0..3 {
+        let panel = get(&layout, &format!("panels.{order}"));
         let of = |key: &str| number(&panel, key);
-        let value = values[names.iter().position(|n| n == name).unwrap()];
+        let value = values[place(&simulator, "rocker.angle", order)];
         let x = of("left") + of("width") * (crank - of("x0")) / (of("x1") - of("x0"));
         let y = of("top") + of("height") * (of("y1") - value) / (of("y1") - of("y0"));
         let data = context

@@ -15,15 +15,12 @@ use assur_file::{GearTrainDocument, Problem, View};
 use super::GearTrain;
 use super::quantity::{BODIES, Column, NUMBERS, Quantity, plotted};
 use crate::capabilities::Moves;
-use crate::here::Here;
-use crate::pair::Pair;
+use crate::here::{Here, ReadoutId};
+use crate::pair::{INPUT, Pair};
 use crate::table::{SweepColumn, SweepRow, SweepTable};
 
 /// Number of intervals between the samples of a curve without load.
 const SAMPLES: usize = 240;
-
-/// Suffixes that mark derivatives in the names of read-outs.
-const STROKES: [&str; 3] = ["", "′", "″"];
 
 /// A differential over time, with its plots.
 pub(crate) struct Course {

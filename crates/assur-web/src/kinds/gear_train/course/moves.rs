@@ -28,15 +28,12 @@ impl Moves for GearTrain {
         None
     }
 
-    fn readout_names(&self) -> Vec<String> {
-        let quantities = self.course.quantities().flat_map(|one| {
-            let name = one.name();
-            STROKES.map(|stroke| [&name, stroke].concat())
-        });
-        ["input".to_owned()]
+    fn readouts(&self) -> Vec<ReadoutId> {
+        let quantities = self.course.quantities().map(|one| one.name());
+        [ReadoutId::value(INPUT.to_owned())]
             .into_iter()
-            .chain(quantities)
-            .chain(self.course.names_of_run())
+            .chain(quantities.flat_map(|name| ReadoutId::rates(&name)))
+            .chain(self.course.names_of_run().map(ReadoutId::value))
             .collect()
     }
 

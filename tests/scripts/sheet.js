@@ -1,0 +1,38 @@
+// A worksheet that is printed of a page on which nothing is drawn.
+import { Context } from "assur/tests/canvas.js";
+import { found } from "assur/tests/document.js";
+import { printWorksheets } from "assur/export/worksheet.js";
+import { happen } from "assur/tests/window.js";
+
+globalThis.OffscreenCanvas = class OffscreenCanvas {
+  getContext() {
+    return Object.assign(new Context(), { getImageData: () => ({ data: [0, 0, 0, 255] }) });
+  }
+};
+
+for (const id of ["mechanism", "charts"]) found.set(id, new HTMLCanvasElement());
+
+/**
+ * @param {import("assur/tests/page.js").Page} page
+ * @param {readonly import("assur/lesson/panel.js").Told[]} steps of the open lesson
+ * @param {(hidden: readonly string[]) => void} pose called before the sheet is made, with what is withheld on it
+ * @returns {HTMLElement} the worksheet
+ */
+export function sheetOf(page, steps = [], pose = () => {}) {
+  const picture = { size: { width: 10, height: 10 }, paint() {} };
+  Object.assign(page, {
+    lesson: { steps: () => steps, onPaper: () => [] },
+    words: page.words.measured(page.engine.lengths),
+    mechanism: { cropped: () => picture, fit() {} },
+    chart: { size: picture.size, panels: [], paint() {} },
+    address: { link: () => "https://assur.test/#mixer-a" },
+    posed: (hidden, make) => {
+      pose(hidden);
+      return make();
+    },
+  });
+  globalThis.document.body.replaceChildren();
+  printWorksheets(page);
+  happen("beforeprint");
+  return globalThis.document.body.children.at(-1);
+}

@@ -1,0 +1,86 @@
+// What the read-outs show now, as data. Tables of values and the status line put their rows here and write them into the page; steps of lessons and
+// worksheets take theirs from here.
+
+/**
+ * @typedef {Readonly<{ id: string, title: string, text: string, value?: number, asked?: string, wide?: boolean }>} Cell
+ * A read-out. `id`: id of its element; empty for a cell without a value. `title`: its name where it stands alone. `value`: the number that the text
+ * shows. `asked`: present if a lesson withholds the read-out; a text for screen readers. `wide`: whether the cell spans all columns.
+ * @typedef {Readonly<{ title: string, cells: readonly Cell[] }>} Row
+ * @typedef {"values" | "curvature" | "course" | "status"} Section
+ */
+
+export class Shown {
+  /** @type {Map<Section, readonly Row[]>} */
+  #sections = new Map();
+  /** Called after a section has changed. */
+  changed = () => {};
+
+  /**
+   * @param {Section} section
+   * @param {readonly Row[]} rows its rows that are not hidden
+   */
+  put(section, rows) {
+    this.#sections.set(section, rows);
+    this.changed();
+  }
+
+  /** Forgets all rows, which are of another kind of document. */
+  clear() {
+    this.#sections.clear();
+    this.changed();
+  }
+
+  /**
+   * @param {...Section} sections
+   * @returns {readonly Row[]}
+   */
+  rows(...sections) {
+    return sections.flatMap((section) => this.#sections.get(section) ?? []);
+  }
+
+  /**
+   * @param {string} name of a read-out
+   * @returns {Cell | undefined} undefined if the read-out is not shown
+   */
+  find(name) {
+    const id = idOfOutput(name);
+    for (const rows of this.#sections.values()) {
+      for (const { cells } of rows) {
+        const cell = cells.find((one) => one.id === id);
+        if (cell) return cell;
+      }
+    }
+    return undefined;
+  }
+}
+
+/**
+ * @param {string} name of a read-out
+ * @returns {string} id of its element
+ */
+export function idOfOutput(name) {
+  return `out-${name}`;
+}
+
+/**
+ * @param {ReadonlySet<string>} withheld quantities as lessons name them, and names of read-outs
+ * @param {string} name of a read-out
+ * @param {RegExp} [reveals] names of further quantities, as lessons ask for them, that the read-out reveals
+ * @returns {boolean} whether a lesson asks for what the read-out shows
+ */
+export function isAsked(withheld, name, reveals) {
+  return withheld.has(name) || (reveals !== undefined && [...withheld].some((one) => reveals.test(one)));
+}
+
+/**
+ * @template {Cell} C
+ * @param {C} cell
+ * @param {boolean} asked whether a lesson asks for it
+ * @param {import("assur/core/words.js").Words} words
+ * @returns {C | Cell} the cell, or a question mark in its place
+ */
+export function posed(cell, asked, words) {
+  if (!asked) return cell;
+  const { id, title, wide } = cell;
+  return { id, title, wide, text: "?", asked: words.text("lesson.asked") };
+}
