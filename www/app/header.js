@@ -28,6 +28,7 @@ export class Header {
       const kept = target instanceof Element && this.#menu.contains(target) && target.closest("summary, .lang");
       if (!kept) this.#closeMenu();
     });
+    this.#menu.addEventListener("change", () => this.#closeMenu());
     addEventListener("click", ({ target }) => {
       if (target instanceof Node && !this.#more.contains(target)) this.#more.open = false;
     });
