@@ -252,10 +252,24 @@ impl Page {
         self.seen(what, async || holds().await.then_some(())).await;
     }
 
-    /// An element, which is awaited: parts of the page are built when they are first shown.
+    /// An element, which is awaited: parts of the page are built when they are first shown. The folds of the settings
+    /// around it are opened.
     pub(crate) async fn element(&self, id: &str) -> WebElement {
         let found = async || self.driver.find(By::Id(id)).await.ok();
-        self.seen(id, found).await
+        let element = self.seen(id, found).await;
+        self.unfold(id, ".fold").await;
+        element
+    }
+
+    /// Presses the summaries of closed folds around an element, from the outermost.
+    async fn unfold(&self, id: &str, folds: &str) {
+        let script = format!(
+            "const around = [];
+            for (let at = document.getElementById('{id}'); at; at = at.parentElement)
+                if (at.matches('details:is({folds}):not([open])')) around.unshift(at);
+            for (const one of around) one.querySelector('summary').click();"
+        );
+        self.ask(&script).await;
     }
 
     /// Looks for something until it is there.
@@ -271,6 +285,7 @@ impl Page {
     }
 
     pub(crate) async fn click(&self, id: &str) {
+        self.unfold(id, ".menu").await;
         self.read(id, async |element| element.click().await).await;
         self.settle().await;
     }
@@ -287,12 +302,14 @@ impl Page {
 
     /// Presses a key in a control.
     pub(crate) async fn press(&self, id: &str, key: Key) {
+        self.unfold(id, ".menu").await;
         self.element(id).await.send_keys(key + "").await.unwrap();
         self.settle().await;
     }
 
     /// Chooses an entry of a list.
     pub(crate) async fn choose(&self, id: &str, value: &str) {
+        self.unfold(id, ".fold, .menu").await;
         let option = By::Css(format!("#{id} option[value='{value}']"));
         let option = self.driver.find(option).await.unwrap();
         option.click().await.unwrap();

@@ -20,6 +20,7 @@ async fn lengthened(page: &Page) {
     open(page, "class4-dwell").await;
     page.write(&format!("field-length-{FK}"), &LENGTH.to_string())
         .await;
+    page.element("design").await;
     let heading = page.driver.find(By::Css("#design > summary")).await;
     heading.unwrap().click().await.unwrap();
     page.write("field-design-arc", &ARC.to_string()).await;

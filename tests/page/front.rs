@@ -63,7 +63,7 @@ async fn a_first_visitor_is_told_what_this_is() {
     let page = first().await;
     for size in [(1280, 800), (360, 740)] {
         page.screen(size, 1.0).await;
-        assert!(page.text("welcome").await.contains("planar mechanisms"));
+        assert!(page.text("welcome").await.contains("First lesson"));
         // All of the drawing is on the screen, and under nothing.
         let free = page
             .ask(
@@ -95,14 +95,14 @@ async fn a_first_visitor_is_told_what_this_is() {
 #[tokio::test]
 async fn a_first_visitor_begins_a_lesson() {
     let page = first().await;
-    page.click("welcome-class4-dwell").await;
+    page.click("welcome-lesson").await;
     page.until("the lesson", async || {
         page.count("#lesson-check").await == 1
     })
     .await;
     page.settle().await;
     assert!(!visible(&page, "welcome").await);
-    assert_eq!(page.text("mechanism-name").await, "Class IV with dwell");
+    assert_eq!(page.text("mechanism-name").await, "Mixer, case a");
     assert_eq!(page.focused().await.as_deref(), Some("lesson-title"));
     page.close().await;
 }

@@ -353,7 +353,7 @@ async fn a_small_drawing_is_saved_as_it_is_shown() {
         const { fillText } = kind;
         window.shown = [];
         kind.fillText = function (text, ...place) {
-            if (this.canvas.id === 'mechanism') window.shown.push([text, Number.parseFloat(this.font.replace('600 ', ''))]);
+            if (this.canvas.id === 'mechanism' && this.font.startsWith('600 ')) window.shown.push([text, Number.parseFloat(this.font.slice(4))]);
             fillText.call(this, text, ...place);
         };",
     )

@@ -47,6 +47,7 @@ async fn transport_and_read_outs_are_in_lengths() {
     open(&page).await;
     agrees(&page, 1.5).await;
     assert_eq!(page.text("input-symbol").await, "s");
+    page.click("transport-more").await;
     assert_eq!(page.text("step-forward").await, "+0.01");
     let status = page.text("status").await;
     assert!(status.contains("can be assembled for s"), "{status}");

@@ -10,6 +10,7 @@ export class Header {
   #projector = byId("projector", HTMLButtonElement);
   #settings = byId("settings", HTMLButtonElement);
   #menu = byId("menu", HTMLDetailsElement);
+  #more = byId("transport-more", HTMLDetailsElement);
   #without = byId("copy-without", HTMLElement);
   #history;
 
@@ -24,7 +25,12 @@ export class Header {
     this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
     // A click closes the menu, also a click on one of its entries. The menu's own button opens and closes it by itself.
     addEventListener("click", ({ target }) => {
-      if (target instanceof Node && !this.#menu.querySelector("summary")?.contains(target)) this.#closeMenu();
+      const kept = target instanceof Element && this.#menu.contains(target) && target.closest("summary, .lang");
+      if (!kept) this.#closeMenu();
+    });
+    this.#menu.addEventListener("change", () => this.#closeMenu());
+    addEventListener("click", ({ target }) => {
+      if (target instanceof Node && !this.#more.contains(target)) this.#more.open = false;
     });
   }
 
@@ -38,6 +44,7 @@ export class Header {
   close() {
     this.fold(false);
     this.#closeMenu();
+    this.#more.open = false;
   }
 
   /** Closes the menu. If one of its entries has the focus, the focus moves to the menu's button. */

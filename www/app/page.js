@@ -103,7 +103,7 @@ export class Page {
     // The address is taken from the event: the page may have replaced it in the address bar by now.
     addEventListener("hashchange", ({ newURL }) => this.take(takeAddress(newURL, engine, this.ofNow())));
     chooseLanguage(this);
-    welcome(this);
+    welcome(this, commands);
     writeTexts(this.words);
   }
 

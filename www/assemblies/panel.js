@@ -55,7 +55,7 @@ export class Assemblies {
       make("h2", { "data-t": "assemblies.heading" }),
       this.#count, this.#pictures, this.#where, this.#reach, this.#map.element, this.#mapped,
     ]);
-    byId("overlays", HTMLElement).after(this.element);
+    byId("fold-structure", HTMLElement).after(this.element);
     page.words.fill(this.element);
   }
 

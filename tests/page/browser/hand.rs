@@ -52,6 +52,7 @@ impl Page {
 
     /// Gives an element the focus.
     pub(crate) async fn focus(&self, id: &str) {
+        self.unfold(id, ".menu").await;
         self.element(id).await.focus().await.unwrap();
     }
 }

@@ -1,8 +1,9 @@
 // The plotted output over a turn: stroke, dwell and cyclogram in the rail; the dwell shaded and magnified on the plots.
 import { NumberRow } from "assur/controls/number-row.js";
 import { writeReadout } from "assur/controls/readout.js";
+import { fold } from "assur/controls/section.js";
 import { idOfOutput, isAsked, posed } from "assur/controls/shown.js";
-import { byId, make, write } from "assur/core/dom.js";
+import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
@@ -144,7 +145,7 @@ export class CourseView {
   #design;
   #row;
   /** The foldable section, initially open if the document asks for a dwell. */
-  #fold = make("details", { id: "course" });
+  #fold = make("details", { id: "course", class: "fold within" });
   /** Key of the mechanism for which the page last folded or unfolded the section. */
   #folded = "";
   #name = make("caption");
@@ -169,7 +170,7 @@ export class CourseView {
       make("div", { id: "cyclogram-figure" }, [this.#bars, this.#phases]),
       this.#design.element,
     );
-    byId("overlays", HTMLElement).before(make("section", { "data-of": "linkage" }, [this.#fold]));
+    fold("structure", [make("section", { "data-of": "linkage" }, [this.#fold])]);
   }
 
   /** @param {Snapshot} snapshot */

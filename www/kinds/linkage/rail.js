@@ -1,5 +1,6 @@
 // The rail of a linkage: its driver, its dimensions, its source. The engine computes the effect of every change.
 import { NumberRow } from "assur/controls/number-row.js";
+import { fold } from "assur/controls/section.js";
 import { byId, make, write } from "assur/core/dom.js";
 import { between, called, calledBy, toLine } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -12,6 +13,9 @@ import { change, inputNow } from "assur/state/change.js";
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */
+
+/** Number of dimensions of links that are always in sight; all others are behind a fold. */
+const IN_SIGHT = 7;
 
 /** Key of the name, and the symbol, for each kind of dimension. */
 const KINDS = Object.freeze({
@@ -29,6 +33,10 @@ export class LinkageRail {
   #rates = make("div", { id: "linkage-rates" });
   #lengths = make("div", { id: "linkage-lengths" });
   #coordinates = make("div", { id: "linkage-frame" });
+  /** Fold with the dimensions that are not always in sight. */
+  #more = make("details", { id: "more-dimensions", class: "fold within" });
+  #moreName = make("summary");
+  #moreLengths = make("div");
   #source = make("p", { class: "source", "data-of": "linkage" });
   /** @type {NumberRow[]} */
   #rows = [];
@@ -42,14 +50,9 @@ export class LinkageRail {
     const { engine } = page;
     this.#page = page;
     this.#driver.addEventListener("change", () => this.#change((input) => engine.simulator.drive(this.#driver.value, input)));
-    const section = (/** @type {string} */ key, /** @type {HTMLElement} */ content) =>
-      make("section", { "data-of": "linkage" }, [make("h2", { "data-t": key }), content]);
-    const sections = [
-      section("field.drivers", make("div", {}, [this.#driver, this.#rates])),
-      section("lengths.links", this.#lengths),
-      section("lengths.frame", this.#coordinates),
-    ];
-    byId("overlays", HTMLElement).before(...sections);
+    this.#more.append(this.#moreName, this.#moreLengths, make("section", {}, [make("h2", { "data-t": "lengths.frame" }), this.#coordinates]));
+    fold("dimensions", [make("section", { "data-of": "linkage" }, [this.#lengths, this.#more])]);
+    fold("structure", [make("section", { "data-of": "linkage" }, [make("h2", { "data-t": "field.drivers" }), this.#driver, this.#rates])]);
     byId("rail", HTMLElement).append(this.#source);
   }
 
@@ -92,11 +95,18 @@ export class LinkageRail {
     });
     for (const { element } of [...this.#rows, ...this.#further]) words.fill(element);
     this.#rates.replaceChildren(...this.#further.map(({ element }) => element));
-    for (const [container, isOfPoints] of /** @type {const} */ ([[this.#lengths, false], [this.#coordinates, true]])) {
-      const rows = this.#rows.filter(({ field }) => field.startsWith("points") === isOfPoints);
-      container.replaceChildren(...rows.map(({ element }) => element));
-      if (container.parentElement) container.parentElement.hidden = rows.length === 0;
-    }
+    const isOfPoint = (/** @type {NumberRow} */ { field }) => field.startsWith("points");
+    const coordinates = this.#rows.filter(isOfPoint);
+    const lengths = this.#rows.filter((row) => !isOfPoint(row));
+    const inSight = lengths.length > IN_SIGHT + 1 ? IN_SIGHT : lengths.length;
+    const show = (/** @type {HTMLElement} */ container, /** @type {NumberRow[]} */ rows) => container.replaceChildren(...rows.map(({ element }) => element));
+    show(this.#lengths, lengths.slice(0, inSight));
+    show(this.#moreLengths, lengths.slice(inSight));
+    show(this.#coordinates, coordinates);
+    if (this.#coordinates.parentElement) this.#coordinates.parentElement.hidden = coordinates.length === 0;
+    const more = this.#rows.length - inSight;
+    this.#more.hidden = more === 0;
+    write(this.#moreName, words.counted("lengths.more", more));
   }
 
   /**

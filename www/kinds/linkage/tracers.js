@@ -1,5 +1,6 @@
 // The traced points of a linkage in the rail: their coordinates on their links, and buttons to remove them.
 import { NumberBox, numberField } from "assur/controls/number-box.js";
+import { fold } from "assur/controls/section.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
@@ -24,7 +25,7 @@ export class TracedPoints {
   constructor({ store, drafts }) {
     this.#store = store;
     this.#drafts = drafts;
-    byId("overlays", HTMLElement).before(this.#section);
+    fold("show", [this.#section]);
   }
 
   /** @param {import("assur/kinds/linkage/rail.js").Snapshot} snapshot */

@@ -1,7 +1,8 @@
 // The rail of the mixer: presets, lengths, wheels, mesh, assembly, traced points.
 import { CardList } from "assur/controls/card-list.js";
 import { NumberRow } from "assur/controls/number-row.js";
-import { byId, make } from "assur/core/dom.js";
+import { fold } from "assur/controls/section.js";
+import { make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { TEETH, TRACER_LIST, WHEEL_LIST, staying } from "assur/kinds/mixer/lists.js";
 import { contains, edited } from "assur/state/state.js";
@@ -69,14 +70,16 @@ export class Rail {
     }
     const mesh = MESHES.map((value) => this.#choice("mesh", value, () => edit({ mesh: value })));
     const assembly = ASSEMBLIES.map((value) => this.#choice("assembly", value, () => edit({ assembly: value })));
-    byId("overlays", HTMLElement).before(
+    fold("dimensions", [
       section("preset.heading", [presets]),
       section("lengths.heading", [make("div", { id: "lengths" }, rows(LENGTHS))]),
-      section("wheels.heading", [make("div", { id: "train" }, rows(WHEELS)), wheels.cards, wheels.add]),
+      folded("wheels.heading", [make("div", { id: "train" }, rows(WHEELS)), wheels.cards, wheels.add]),
+    ]);
+    fold("show", [section("tracers.heading", [tracers.cards, tracers.add])]);
+    fold("structure", [
       choices("field.mesh", make("div", { id: "mesh", class: "choices" }, mesh)),
       choices("field.assembly", make("div", { id: "assembly", class: "segments" }, assembly)),
-      section("tracers.heading", [tracers.cards, tracers.add]),
-    );
+    ]);
   }
 
   /** @param {Snapshot} snapshot */
@@ -111,6 +114,14 @@ export class Rail {
  */
 function section(key, content) {
   return make("section", { "data-of": "mixer" }, [make("h2", { "data-t": key }), ...content]);
+}
+
+/**
+ * @param {string} key of the heading
+ * @param {readonly HTMLElement[]} content
+ */
+function folded(key, content) {
+  return make("details", { "data-of": "mixer", class: "fold within" }, [make("summary", { "data-t": key }), ...content]);
 }
 
 /**
