@@ -173,6 +173,7 @@ export class Page {
     if (!state) return;
     this.#player.begin();
     this.history.step(() => this.store.put(state));
+    this.mechanism.fit(true);
   }
 
   /**

@@ -47,6 +47,8 @@ export class MechanismView {
   #held = null;
   /** Whether the view is kept because the reader is drawing. */
   #kept = false;
+  /** Whether the next snapshot is of another mechanism, so that the present view is not kept. */
+  #replaced = false;
   /** Size of the canvas for which the view is kept. */
   #keptSize = "";
   #inset = 0;
@@ -72,6 +74,7 @@ export class MechanismView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
+    this.#replaced = false;
     this.#figure.take(snapshot);
     setData(this.#surface.canvas, "faded", String(snapshot.faded));
     this.#draw();
@@ -200,8 +203,12 @@ export class MechanismView {
     this.#look(this.view.moved(right, down));
   }
 
-  /** Fits the whole mechanism to the canvas. */
-  fit() {
+  /**
+   * Fits the whole mechanism to the canvas.
+   * @param {boolean} [replaced] whether it is that of the next snapshot
+   */
+  fit(replaced = false) {
+    this.#replaced = replaced;
     this.#zoom = Zoom.NONE;
     this.#bounds = null;
     this.#held = null;
@@ -311,7 +318,7 @@ export class MechanismView {
   #draw() {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
-    if (this.#kept) this.#keep();
+    if (this.#kept && !this.#replaced) this.#keep();
     const { view } = this;
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
     this.#backdrop.cover(this.#surface, key, (target) => this.#figure.paintGround(target, this.#surface, view));
