@@ -13,6 +13,7 @@ export class Page {
   drafts = new Drafts(() => {});
   mechanism = { fit() {} };
   words = wordsOf("en");
+  habits = { calm: false, lang: "en" };
 
   /** @param {string} id of the mechanism of the catalogue that is open */
   constructor(id, view = {}) {

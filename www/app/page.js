@@ -131,9 +131,10 @@ export class Page {
     dispatchEvent(new Event("prepared"));
   }
 
-  /** @returns {import("assur/app/opening.js").Habits} habits with the page's current language, for states without one */
+  /** @returns {import("assur/app/opening.js").Habits} habits with the page's current language, for states without one, and its present mode */
   ofNow() {
-    return { ...this.habits, lang: this.store.get().view.lang };
+    const { lang, projector } = this.store.get().view;
+    return { ...this.habits, lang, projector };
   }
 
   redraw() {
