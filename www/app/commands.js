@@ -57,7 +57,7 @@ function fileCommands(page) {
   };
   return {
     open: filePicker((file) => page.take(takeFile(file, engine, page.ofNow()))),
-    save: () => saveFile(now(), engine.catalogue.fileName(model.lastAccepted)),
+    save: () => saveFile(now(), engine.catalogue.fileName(now())),
     copy: () => (page.address.holds(now()) ? copy() : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),

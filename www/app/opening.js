@@ -22,6 +22,9 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
 /** Extension of the files of the program Linkage. */
 const EXTENSION = /\.linkage2$/i;
 
+/** Extensions of pictures: some systems do not know the type of every picture. */
+const PICTURE = /\.(avif|bmp|gif|hei[cf]|jpe?g|png|svg|tiff?|webp)$/i;
+
 /** Largest size of a file, in bytes. */
 const MAX_FILE = 20_000_000;
 
@@ -78,8 +81,8 @@ export async function takeAddress(address, engine, habits) {
  * @param {File} file
  * @returns {Problem | null} reason not to read the file; null if there is none
  */
-function unfit({ size, type }) {
-  if (type.startsWith("image/")) return { code: "is_picture" };
+function unfit({ name, size, type }) {
+  if (type.startsWith("image/") || (type === "" && PICTURE.test(name))) return { code: "is_picture" };
   return size > MAX_FILE ? { code: "file_too_large", size: size / 1e6, max: MAX_FILE / 1e6 } : null;
 }
 

@@ -24,13 +24,13 @@ const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {string} name first part of the file names
  * @param {() => string} title gives a description of the picture
- * @returns {{ rows: (Node | string)[], stop: () => void }}
+ * @param {HTMLElement} said says what came of it
+ * @returns {{ rows: (Node | string)[], working: HTMLElement, stop: () => void }} `working`: progress, shown while a file is written
  */
-export function animations(page, theme, name, title) {
+export function animations(page, theme, name, title, said) {
   const { words } = page;
   const bar = make("progress", { id: "export-progress", max: "1", value: "0", "data-t-label": "export.progress" });
   const cancel = make("button", { id: "export-cancel", class: "control", type: "button", "data-t": "export.cancel" });
-  const said = make("p", { id: "export-said", class: "note", role: "status" });
   const working = make("div", { id: "export-working", hidden: "" }, [bar, cancel]);
   /** @type {AbortController | null} */
   let running = null;
@@ -125,9 +125,8 @@ export function animations(page, theme, name, title) {
     make("div", {}, [seconds]),
     head("export-several", "export.poses"),
     make("div", {}, [posesSvg, posesPng, head("export-poses-name", "export.poses.count"), poses]),
-    make("div", { class: "whole" }, [working, said]),
   ];
-  return { rows, stop: () => running?.abort() };
+  return { rows, working, stop: () => running?.abort() };
 }
 
 /** @returns {boolean} whether the browser can record a canvas */
