@@ -1,4 +1,5 @@
 // An animation as GIF: the page paints, a worker writes the file.
+import { sheetOf } from "assur/export/beside.js";
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 
 /** Shortest time for which programs show a picture, in hundredths of a second, the unit of GIF. */
@@ -14,8 +15,9 @@ const PAINTING = 1 / 3;
  * @param {import("assur/export/moments.js").Job} work
  * @returns {Promise<Blob>}
  */
-export async function toGif(page, theme, { moments: count, width, seconds }, { signal, tell }) {
-  const { size, begin } = page.mechanism.sheet();
+export async function toGif(page, theme, wishes, { signal, tell }) {
+  const { moments: count, width, seconds } = wishes;
+  const { size, begin } = sheetOf(page, wishes);
   const canvas = new OffscreenCanvas(1, 1);
   const target = targetOn(canvas, size, width, { alpha: false, willReadFrequently: true });
   const { ground, moment } = begin(theme);

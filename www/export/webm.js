@@ -1,4 +1,5 @@
 // An animation as WebM, recorded by the browser in real time.
+import { sheetOf } from "assur/export/beside.js";
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 import { withDuration } from "assur/export/webm-duration.js";
 
@@ -14,8 +15,9 @@ const BITS = 8;
  * @param {import("assur/export/moments.js").Job} work
  * @returns {Promise<Blob>}
  */
-export async function toWebm(page, theme, { moments: count, width, seconds }, work) {
-  const { size, begin } = page.mechanism.sheet();
+export async function toWebm(page, theme, wishes, work) {
+  const { moments: count, width, seconds } = wishes;
+  const { size, begin } = sheetOf(page, wishes);
   const canvas = document.createElement("canvas");
   const target = targetOn(canvas, size, width);
   const { ground, moment } = begin(theme);

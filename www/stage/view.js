@@ -153,15 +153,17 @@ export class MechanismView {
   /**
    * Returns the picture of {@link cropped} in a form that can be painted at one input after another.
    * @param {number} [least] least width in pixels
+   * @param {number} [tall] least height in pixels
    * @returns {import("assur/export/pictures.js").Sheet}
    */
-  sheet(least = 0) {
+  sheet(least = 0, tall = 0) {
     const { visible } = this.#surface;
     const screen = visible ? this.view : Transform.fit(this.#fullBounds, ...UNSEEN, this.#margin);
     const [left, bottom, right, top] = visible && this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
     const aside = Math.ceil(Math.max(0, least - (right - left)) / 2);
-    const size = { width: right - left + 2 * aside, height: bottom - top };
-    const view = screen.moved(aside - left, -top);
+    const above = Math.ceil(Math.max(0, tall - (bottom - top)) / 2);
+    const size = { width: right - left + 2 * aside, height: bottom - top + 2 * above };
+    const view = screen.moved(aside - left, above - top);
     const snapshot = this.#snapshot;
     const small = this.#small;
     /** @type {import("assur/export/pictures.js").Sheet["begin"]} */
