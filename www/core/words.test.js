@@ -143,7 +143,7 @@ test("tables are read with spaces that hold together", async (t) => {
   assert.equal((await Words.load("en", ["held/*"])).text("a", { n: "5" }), "5\u00a0mm");
 });
 
-test("a value and its place are told apart in every language, also with decimal commas", () => {
+test("a value is not mistaken for its place in any language, also with decimal commas", () => {
   for (const lang of LANGUAGES) {
     const words = wordsOf(lang);
     const [value, angle] = [words.numbers.fixed(-3.6, 1), `${words.numbers.fixed(117.2, 1)}°`];
