@@ -70,7 +70,12 @@ async fn a_gif_is_one_turn_that_goes_on_without_a_jump() {
     assert_eq!((gif.width, gif.pictures.len()), (320, 24));
     assert!(
         gif.delays.iter().all(|delay| [8, 9].contains(delay))
-            && gif.delays.iter().map(|delay| u32::from(*delay)).sum::<u32>() == 200,
+            && gif
+                .delays
+                .iter()
+                .map(|delay| u32::from(*delay))
+                .sum::<u32>()
+                == 200,
         "{:?}",
         gif.delays
     );
