@@ -69,7 +69,13 @@ async fn a_gif_is_one_turn_that_goes_on_without_a_jump() {
     let gif = Gif::decode(&bytes);
     assert_eq!((gif.width, gif.pictures.len()), (320, 24));
     assert!(
-        gif.delays.iter().all(|delay| *delay == 8),
+        gif.delays.iter().all(|delay| [8, 9].contains(delay))
+            && gif
+                .delays
+                .iter()
+                .map(|delay| u32::from(*delay))
+                .sum::<u32>()
+                == 200,
         "{:?}",
         gif.delays
     );
@@ -149,6 +155,8 @@ async fn a_film_is_recorded_where_the_browser_records() {
         };
         video.muted = true;
         video.onloadeddata = () => {
+            // Players seek only in a film whose header tells how long it lasts.
+            if (!(Math.abs(video.duration - 2) < 1)) arguments[1](`it lasts ${video.duration} s`);
             const first = ink();
             video.onended = () => arguments[1]([video.videoWidth, video.videoHeight, first, ink()]);
             video.play();

@@ -268,3 +268,56 @@ async fn a_page_of_others_shows_it_by_one_script() {
     };
     assert!(said.iter().all(warned), "{said:#?}");
 }
+
+#[tokio::test]
+async fn a_low_frame_shows_the_plots() {
+    let page = at("embed=plots&play=no#crank-rocker").await;
+    for size in [(600, 360), (800, 450)] {
+        page.screen(size, 1.0).await;
+        page.settle().await;
+        let out = "const { top, bottom, right } = document.getElementById('charts').getBoundingClientRect();
+            return top >= 0 && bottom <= document.querySelector('.transport').getBoundingClientRect().top && right <= innerWidth";
+        assert_eq!(page.ask(out).await, json!(true), "{size:?}");
+    }
+    page.close().await;
+}
+
+#[tokio::test]
+async fn the_wheel_scrolls_on_over_a_frame_until_it_is_pressed() {
+    let place = std::env::temp_dir().join(format!("assur-course-{}", std::process::id()));
+    fs::create_dir_all(&place).unwrap();
+    let site = Host::start(&folder(), "/");
+    let course = format!(
+        "<!doctype html><title>Course</title><link rel=icon href=data:,>
+        <iframe id=frame src='{}?embed=stage&play=no#crank-rocker' width=600 height=300></iframe><p style='height: 4000px'>",
+        site.url()
+    );
+    fs::write(place.join("index.html"), course).unwrap();
+    let theirs = Host::start(&place, "/");
+    let page = Page::elsewhere(&theirs.url(), "en-US").await;
+    let frame = "document.getElementById('frame')";
+    let zoom = async || {
+        enter(&page, frame).await;
+        let zoom = page.attribute("mechanism", "data-zoom").await;
+        leave(&page).await;
+        zoom.map_or(1.0, |zoom| zoom.parse::<f64>().unwrap())
+    };
+    let scrolled = async || page.ask("return scrollY").await != json!(0);
+    let zoomed = async || (zoom().await - 1.0).abs() > 1e-9;
+    assert!(!zoomed().await);
+    page.wheel("frame", (100.0, 60.0), 200.0).await;
+    page.until("the page to scroll", async || scrolled().await)
+        .await;
+    assert!(!zoomed().await);
+
+    page.ask("scrollTo(0, 0)").await;
+    enter(&page, frame).await;
+    page.click("zoom-fit").await;
+    leave(&page).await;
+    page.wheel("frame", (100.0, 60.0), -200.0).await;
+    page.until("the drawing to grow", async || zoomed().await)
+        .await;
+    assert!(!scrolled().await);
+    let _ = fs::remove_dir_all(place);
+    page.close().await;
+}

@@ -382,3 +382,25 @@ async fn pictures_are_on_light_paper() {
     assert!(svg.contains("#009e73") && !svg.contains("color-mix"));
     page.close().await;
 }
+
+#[tokio::test]
+async fn a_picture_goes_to_the_clipboard() {
+    let page = open().await;
+    let copied = "navigator.clipboard.write = async ([item]) => { window.copied = await item.getType('image/png'); }";
+    page.ask(copied).await;
+    page.click("export-drawing-copy").await;
+    page.until("the picture", async || {
+        page.text("export-said").await == "The picture is in the clipboard."
+    })
+    .await;
+    let png = "return copied.type === 'image/png' && copied.size > 10000";
+    assert_eq!(page.ask(png).await, serde_json::json!(true));
+    page.ask("navigator.clipboard.write = () => Promise.reject(new Error())")
+        .await;
+    page.click("export-plots-copy").await;
+    page.until("the refusal", async || {
+        page.text("export-said").await.ends_with("save it as PNG.")
+    })
+    .await;
+    page.close().await;
+}

@@ -380,3 +380,21 @@ async fn a_small_drawing_is_saved_as_it_is_shown() {
     assert_eq!(shown.len() % saved.len(), 0, "{shown:?} {saved:?}");
     page.close().await;
 }
+
+#[tokio::test]
+async fn fields_are_in_line_and_buttons_of_a_lesson_whole() {
+    let page = Page::open().await;
+    let right = "return ['z4', 'z5', 'beta5'].map((id) => document.getElementById(id).getBoundingClientRect().right)";
+    let edges = page.numbers(right).await;
+    assert!(
+        edges.iter().all(|edge| (edge - edges[0]).abs() < 0.5),
+        "{edges:?}"
+    );
+    page.click("menu").await;
+    page.click("write-lesson").await;
+    page.element("write-read").await;
+    let tall = "return ['write-read', 'write-add'].map((id) => document.getElementById(id).getBoundingClientRect().height)";
+    let tall = page.numbers(tall).await;
+    assert!(tall[0] >= tall[1], "{tall:?}");
+    page.close().await;
+}

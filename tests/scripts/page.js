@@ -15,6 +15,7 @@ export class Page {
   mechanism = { fit() {} };
   words = wordsOf("en");
   shown = new Shown();
+  habits = { calm: false, lang: "en" };
 
   /** @param {string} id of the mechanism of the catalogue that is open */
   constructor(id, view = {}) {

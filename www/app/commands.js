@@ -3,6 +3,7 @@ import { awaited } from "assur/app/busy.js";
 import { takeFile } from "assur/app/opening.js";
 import { copyLink, filePicker, saveFile } from "assur/app/share.js";
 import { CUT, LONG, LOST } from "assur/app/notices.js";
+import { toggleProjector } from "assur/app/projector.js";
 import { SPEEDS } from "assur/controls/transport.js";
 import { attempt } from "assur/core/problem.js";
 import { compiledWasm } from "assur/core/wasm.js";
@@ -56,7 +57,7 @@ function fileCommands(page) {
   };
   return {
     open: filePicker((file) => page.take(takeFile(file, engine, page.ofNow()))),
-    save: () => saveFile(now(), engine.catalogue.fileName(model.lastAccepted)),
+    save: () => saveFile(now(), engine.catalogue.fileName(now())),
     copy: () => (page.address.holds(now()) ? copy() : notices.tell(LONG)),
     export: () => later(() => import("assur/export/dialog.js"), ({ openExport }) => openExport(page)),
     print: () => later(() => import("assur/export/worksheet.js"), () => window.print()),
@@ -117,7 +118,7 @@ function motionCommands(page) {
     slower: () => hasten(-1),
     assembly1: () => assemble(1),
     assembly2: () => assemble(2),
-    projector: () => store.update((state) => withView(state, { projector: !state.view.projector })),
+    projector: () => toggleProjector(page),
     undo: () => history.undo(),
     redo: () => history.redo(),
     reset: () => {

@@ -2,6 +2,7 @@
 import { chosenLanguage } from "assur/app/language.js";
 import { open } from "assur/app/opening.js";
 import { Page } from "assur/app/page.js";
+import { keptProjector } from "assur/app/projector.js";
 import { byId } from "assur/core/dom.js";
 import { compiledWasm } from "assur/core/wasm.js";
 import { Words } from "assur/core/words.js";
@@ -13,7 +14,7 @@ async function start() {
   const { search } = location;
   const framed = new URLSearchParams(search).has("embed") ? import("assur/embed/embed.js") : null;
   const lang = (framed ? null : chosenLanguage()) ?? document.documentElement.lang;
-  const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang };
+  const reader = { calm: matchMedia("(prefers-reduced-motion: reduce)").matches, lang, projector: !framed && keptProjector() };
   // The mechanism of a first visit needs only the first part of the engine; others may need both.
   const isFirst = addressed(location.href) === "" && (framed !== null || stored() === null);
   // Usually the state has this language, so that no other words need to be loaded.

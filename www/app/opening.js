@@ -14,13 +14,16 @@ import { putAside, stored, takeUpAddress, withImage } from "assur/state/storage.
  * A failure of kind `import` lists the parts that could not be imported; all other parts were.
  * @typedef {Readonly<{ state: State, failure: Failure | null } | { state: null, failure: Failure }>} Taken
  * @typedef {{ state: State, failures: readonly Failure[] }} Opening
- * @typedef {Readonly<{ calm: boolean, lang: string, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
+ * @typedef {Readonly<{ calm: boolean, lang: string, projector?: boolean, embedding?: import("assur/embed/embed.js").Embedding | null }>} Habits
  * Settings of the visit. `calm`: nothing moves unless the reader starts it. `lang`: language of states that name none,
- * chosen on the page or else by the browser. `embedding`: settings from another page that shows this one in a frame.
+ * chosen on the page or else by the browser. `projector`: whether projector mode is on, which no state turns off. `embedding`: settings from another page that shows this one in a frame.
  */
 
 /** Extension of the files of the program Linkage. */
 const EXTENSION = /\.linkage2$/i;
+
+/** Extensions of pictures: some systems do not know the type of every picture. */
+const PICTURE = /\.(avif|bmp|gif|hei[cf]|jpe?g|png|svg|tiff?|webp)$/i;
 
 /** Largest size of a file, in bytes. */
 const MAX_FILE = 20_000_000;
@@ -45,7 +48,7 @@ const MAX_TITLE = 400;
  * @param {Habits} habits
  * @returns {Promise<Taken>}
  */
-async function take(kind, unwrap, engine, { calm, lang, embedding }) {
+async function take(kind, unwrap, engine, { calm, lang, projector = false, embedding }) {
   const unwrapped = attempt(unwrap);
   let { problems } = unwrapped;
   /** @type {State | null} */
@@ -55,7 +58,7 @@ async function take(kind, unwrap, engine, { calm, lang, embedding }) {
   const { kind: of, document, view } = value;
   const playing = view.playing && !calm;
   const drawing = view.drawing && (embedding?.edits ?? true);
-  return { state: initialState(of, document, { ...view, playing, drawing, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, value), failure: null };
+  return { state: initialState(of, document, { ...view, playing, drawing, projector: view.projector || projector, lang: LANGUAGES.includes(view.lang) ? view.lang : lang }, value), failure: null };
 }
 
 /**
@@ -78,8 +81,8 @@ export async function takeAddress(address, engine, habits) {
  * @param {File} file
  * @returns {Problem | null} reason not to read the file; null if there is none
  */
-function unfit({ size, type }) {
-  if (type.startsWith("image/")) return { code: "is_picture" };
+function unfit({ name, size, type }) {
+  if (type.startsWith("image/") || (type === "" && PICTURE.test(name))) return { code: "is_picture" };
   return size > MAX_FILE ? { code: "file_too_large", size: size / 1e6, max: MAX_FILE / 1e6 } : null;
 }
 
@@ -178,7 +181,7 @@ export async function open(engine, habits) {
     putAside(text);
     failures.push(failure);
   }
-  const { calm, lang } = habits;
+  const { calm, lang, projector } = habits;
   const [{ kind, document }] = engine.catalogue.mixers;
-  return { state: initialState(kind, document, { playing: !calm, lang }), failures };
+  return { state: initialState(kind, document, { playing: !calm, lang, projector: projector ?? false }), failures };
 }

@@ -175,7 +175,7 @@ test("a file of another kind is named, with the kinds that can be opened", async
     ["{\"speed\":2}", "", `It is JSON, but not a mechanism that Assur saved. ${opens}`],
     ["[2]", "", `It is JSON, but not a mechanism that Assur saved. ${opens}`],
     ["null", "", `It is JSON, but not a mechanism that Assur saved. ${opens}`],
-    ["\x89PNG", "image/png", `It is a picture: it can be dropped here while the tools for drawing are on. ${opens}`],
+    ["\x89PNG", "image/png", `It is a picture: turn on the drawing tools (the pencil or D), take the tool “Picture behind the drawing”, and choose the picture there or drop it on the drawing. ${opens}`],
   ]) {
     const { state, failure } = await takeFile(new File([content], "a.b", { type }), engine, habits);
     assert.equal(state, null);
@@ -218,4 +218,15 @@ test("a link that was damaged by hand or by a program is a sentence", async () =
     const said = lineOf(failure, words);
     assert.ok(said.length > 30 && !said.includes("{"), said);
   }
+});
+
+test("a file is named after the lesson or the mechanism that it holds", () => {
+  const jansen = stateOf(engine, "jansen");
+  const { catalogue } = engine;
+  const lesson = { title: "Тест № 2: «кривошип»/ползун?", steps: [] };
+  assert.equal(catalogue.fileName(withExtras(jansen, { lesson })), "Тест-2-кривошип-ползун");
+  assert.equal(catalogue.fileName(withExtras(jansen, { lesson: { ...lesson, title: " " } })), "jansen");
+  const own = withDocument(jansen, { origin: "", title: "Crank, of week 3" });
+  assert.equal(catalogue.fileName(own), "Crank-of-week-3");
+  assert.equal(catalogue.fileName(withDocument(own, { title: "" })), "linkage");
 });

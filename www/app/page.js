@@ -134,9 +134,10 @@ export class Page {
     dispatchEvent(new Event("prepared"));
   }
 
-  /** @returns {import("assur/app/opening.js").Habits} habits with the page's current language, for states without one */
+  /** @returns {import("assur/app/opening.js").Habits} habits with the page's current language, for states without one, and its present mode */
   ofNow() {
-    return { ...this.habits, lang: this.store.get().view.lang };
+    const { lang, projector } = this.store.get().view;
+    return { ...this.habits, lang, projector };
   }
 
   redraw() {
@@ -176,6 +177,7 @@ export class Page {
     if (!state) return;
     this.#player.begin();
     this.history.step(() => this.store.put(state));
+    this.mechanism.fit(true);
   }
 
   /**

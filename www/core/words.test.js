@@ -142,3 +142,13 @@ test("tables are read with spaces that hold together", async (t) => {
   t.mock.method(globalThis, "fetch", async () => Response.json({ a: "{n} mm" }));
   assert.equal((await Words.load("en", ["held/*"])).text("a", { n: "5" }), "5\u00a0mm");
 });
+
+test("a value is not mistaken for its place in any language, also with decimal commas", () => {
+  for (const lang of LANGUAGES) {
+    const words = wordsOf(lang);
+    const [value, angle] = [words.numbers.fixed(-3.6, 1), `${words.numbers.fixed(117.2, 1)}°`];
+    for (const text of [words.text("plots.mark", { value, angle }), words.text("told.min", { value, angle }), words.text("told.max", { value, angle })]) {
+      assert.doesNotMatch(text, /\d, /, `${lang}: ${text}`);
+    }
+  }
+});

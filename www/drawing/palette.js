@@ -2,6 +2,7 @@
 import { numberField } from "assur/controls/number-box.js";
 import { byId, make, makeSvg, write } from "assur/core/dom.js";
 import { PictureOptions } from "assur/drawing/picture-options.js";
+import { subscript } from "assur/core/symbols.js";
 import { DYADS, TOOLS } from "assur/drawing/tools.js";
 import { Seen } from "assur/core/seen.js";
 
@@ -12,7 +13,7 @@ export class Palette {
   #buttons = new Map();
   #prompt = make("p", { id: "draw-prompt", role: "status" });
   #dyads = make("select", { id: "draw-dyad-kind", class: "control", "data-t-label": "draw.dyad.kind" }, DYADS.map((value) => make("option", { value }, [value])));
-  #teeth = [0, 1].map((k) => numberField({ id: `draw-teeth-${k + 1}`, inputmode: "numeric", "data-t-label": "draw.teeth", "data-n": String(k + 1) }));
+  #teeth = [0, 1].map((k) => numberField({ id: `draw-teeth-${k + 1}`, inputmode: "numeric", "data-t-label": "draw.teeth", "data-t-title": "draw.teeth", "data-n": String(k + 1) }));
   #internal = make("input", { id: "draw-internal", type: "checkbox" });
   #wheels;
   #row;
@@ -56,7 +57,8 @@ export class Palette {
       work.internal = this.#internal.checked;
     });
     this.#wheels = make("span", { class: "draw-wheels" }, [
-      ...this.#teeth, make("label", { class: "check" }, [this.#internal, " ", make("span", { "data-t": "draw.internal" })]),
+      ...this.#teeth.map((input, k) => make("label", { for: input.id }, [`z${subscript(String(k + 1))} `, input])),
+      make("label", { class: "check" }, [this.#internal, " ", make("span", { "data-t": "draw.internal" })]),
     ]);
     this.pictures = new PictureOptions(page, work.picture);
     this.#row = make("div", { class: "draw-buttons", role: "toolbar", "data-t-label": "draw.tools" }, buttons);

@@ -2,6 +2,7 @@
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { degrees } from "assur/core/angles.js";
 import { byId, make } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { edit, step } from "assur/drawing/edit.js";
 import { Reasons } from "assur/drawing/reasons.js";
@@ -170,13 +171,15 @@ export class DrawingRail {
    * @param {Words} words
    */
   #name(name, words) {
+    const { points, links } = this.#selection;
     const input = make("input", { id: "draw-name", class: "control", type: "text", maxlength: "40", autocomplete: "off", spellcheck: "false", "data-t-label": "draw.name" });
-    input.value = name;
+    // A name of the catalogue stands in the reader's language, and stays as it is until another one is typed.
+    const shown = links.has(name) ? called(name, words) : name;
+    input.value = shown;
     input.addEventListener("change", () => {
-      const { points } = this.#selection;
       const made = step(this.#page, { edit: "rename", name, to: input.value });
       if (made) this.#selection.set(points.has(name) ? [input.value.trim()] : [], points.has(name) ? [] : [input.value.trim()]);
-      else input.value = name;
+      else input.value = shown;
       this.#page.redraw();
     });
     return make("label", { class: "draw-numbers" }, [make("span", {}, [words.text("draw.name")]), input]);

@@ -6,6 +6,7 @@ import { degrees } from "assur/core/angles.js";
 import { DrawingRail } from "assur/drawing/rail.js";
 import { initialState, withDocument, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
+import { wordsOf } from "assur/tests/words.js";
 
 /** The rail of a drawing with a traced point selected; `type` writes into one of its fields. */
 function begin(view = {}) {
@@ -54,3 +55,16 @@ for (const at of [0, 1, 100]) {
     assert.deepEqual(later, view);
   });
 }
+
+test("a link of the catalogue is named in the reader's language, and keeps its name until another is typed", () => {
+  const page = new Page("jansen", { drawing: true });
+  page.words = wordsOf("ru");
+  page.mechanism.joints = () => [];
+  const links = new Set(["upper triangle"]);
+  const selection = { points: new Set(), links, set: (_, names) => names.forEach((name) => links.clear() ?? links.add(name)) };
+  const rail = new DrawingRail(page, selection, { remove() {}, duplicate() {}, mirror() {} });
+  rail.render(page.now(), page.store.get().document);
+  const field = globalThis.document.getElementById("rail").children.at(0).all.find(({ attributes }) => attributes.id === "draw-name");
+  assert.equal(field.value, "верхний треугольник");
+  assert.ok(page.store.get().document.links.some(({ name }) => name === "upper triangle"));
+});

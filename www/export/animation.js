@@ -13,10 +13,12 @@ import { measured } from "assur/core/units.js";
  * Choices in the dialog. `WIDTHS`: in pixels. `MOMENTS`: pictures per period. `SECONDS`: duration of a period.
  * `POSES`: number of poses in one picture. `USUAL`: the initial choices.
  */
-const WIDTHS = Object.freeze([320, 480, 640, 800]);
+const WIDTHS = Object.freeze([320, 480, 640, 800, 1280]);
 const MOMENTS = Object.freeze([12, 24, 36, 48, 72]);
 const SECONDS = Object.freeze([2, 3, 4, 6, 12]);
 const POSES = Object.freeze([4, 6, 8, 12, 18, 24]);
+/** Least width at which drawing and plots together can be read, in pixels. */
+const WIDE = 800;
 const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
 
 /**
@@ -24,13 +26,13 @@ const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {string} name first part of the file names
  * @param {() => string} title gives a description of the picture
- * @returns {{ rows: (Node | string)[], stop: () => void }}
+ * @param {HTMLElement} said says what came of it
+ * @returns {{ rows: (Node | string)[], working: HTMLElement, stop: () => void }} `working`: progress, shown while a file is written
  */
-export function animations(page, theme, name, title) {
+export function animations(page, theme, name, title, said) {
   const { words } = page;
   const bar = make("progress", { id: "export-progress", max: "1", value: "0", "data-t-label": "export.progress" });
   const cancel = make("button", { id: "export-cancel", class: "control", type: "button", "data-t": "export.cancel" });
-  const said = make("p", { id: "export-said", class: "note", role: "status" });
   const working = make("div", { id: "export-working", hidden: "" }, [bar, cancel]);
   /** @type {AbortController | null} */
   let running = null;
@@ -91,7 +93,12 @@ export function animations(page, theme, name, title) {
     buttons.push(made);
     return made;
   };
-  const wishes = () => ({ width: Number(width.value), moments: Number(moments.value), seconds: Number(seconds.value) });
+  const shows = make("select", { id: "export-shows", class: "control", "aria-labelledby": "export-shows-name" });
+  shows.append(make("option", { value: "drawing", "data-t": "export.shows.drawing" }), make("option", { value: "plots", "data-t": "export.shows.plots" }));
+  shows.addEventListener("change", () => {
+    if (shows.value === "plots" && Number(width.value) < WIDE) width.value = `${WIDE}`;
+  });
+  const wishes = () => ({ plots: shows.value === "plots", width: Number(width.value), moments: Number(moments.value), seconds: Number(seconds.value) });
 
   const gif = button("animation", "gif", async (work) => {
     const { toGif } = await awaited(import("assur/export/gif.js"));
@@ -117,6 +124,8 @@ export function animations(page, theme, name, title) {
   const rows = [
     head("export-animation", "export.animation"),
     make("div", {}, [gif, svg, ...(records() ? [webm] : [silent])]),
+    head("export-shows-name", "export.shows"),
+    make("div", {}, [shows]),
     head("export-width-name", "export.width"),
     make("div", {}, [width]),
     head("export-moments-name", "export.moments"),
@@ -125,9 +134,8 @@ export function animations(page, theme, name, title) {
     make("div", {}, [seconds]),
     head("export-several", "export.poses"),
     make("div", {}, [posesSvg, posesPng, head("export-poses-name", "export.poses.count"), poses]),
-    make("div", { class: "whole" }, [working, said]),
   ];
-  return { rows, stop: () => running?.abort() };
+  return { rows, working, stop: () => running?.abort() };
 }
 
 /** @returns {boolean} whether the browser can record a canvas */

@@ -53,7 +53,7 @@ const DIMENSIONS = Object.freeze({ length: "export.dimension.length", x: "export
 export function toCsv(table, coordinate, choices, words) {
   const separator = choices.comma ? ";" : ",";
   const number = (/** @type {number} */ value) => (choices.comma ? `${value}`.replace(".", ",") : `${value}`);
-  const line = (/** @type {readonly string[]} */ cells) => `${cells.map((cell) => quoted(cell, separator)).join(separator)}\n`;
+  const line = (/** @type {readonly string[]} */ cells) => lineOf(cells, separator);
   const tables = [{ of: "", ...table }, ...(table.compared ? [{ of: OF_A, ...table.compared }] : [])];
   const comments = tables.flatMap(({ of, dimensions }) => dimensions.map((dimension) => {
     const value = words.length(number(Number(dimension.value.toPrecision(DIGITS))));
@@ -68,7 +68,29 @@ export function toCsv(table, coordinate, choices, words) {
     });
     return line([number(input), ...cells]);
   });
-  const text = [...(choices.dimensions ? comments : []), line([inputName(coordinate, words), ...heads]), ...lines].join("");
+  return fileOf([...(choices.dimensions ? comments : []), line([inputName(coordinate, words), ...heads]), ...lines]);
+}
+
+/**
+ * @param {readonly (readonly string[])[]} rows
+ * @param {Words} words
+ * @returns {Blob} the rows as a spreadsheet in the language of the words reads them
+ */
+export function rowsAsCsv(rows, { numbers }) {
+  return fileOf(rows.map((cells) => lineOf(cells, numbers.comma ? ";" : ",")));
+}
+
+/**
+ * @param {readonly string[]} cells
+ * @param {string} separator
+ */
+function lineOf(cells, separator) {
+  return `${cells.map((cell) => quoted(cell, separator)).join(separator)}\n`;
+}
+
+/** @param {readonly string[]} lines */
+function fileOf(lines) {
+  const text = lines.join("");
   // A byte order mark announces UTF-8: without it, a spreadsheet misreads letters beyond ASCII.
   const mark = /[^\0-\x7f]/.test(text) ? "\ufeff" : "";
   return new Blob([mark, text], { type: "text/csv" });

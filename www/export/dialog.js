@@ -5,6 +5,7 @@ import { attempt } from "assur/core/problem.js";
 import { animations } from "assur/export/animation.js";
 import { toCsv } from "assur/export/csv.js";
 import { paperTheme, toPng, toSvg, withCaption, withLegend } from "assur/export/pictures.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
@@ -82,23 +83,30 @@ function caption({ summary, coordinate }, state, words) {
 function makeDialog(page) {
   const { engine, model, store, mechanism, chart, words } = page;
   const theme = paperTheme(engine.roles);
-  const name = `assur-${engine.catalogue.fileName(model.lastAccepted)}`;
+  const name = `assur-${engine.catalogue.fileName(withoutExtras(model.lastAccepted))}`;
   const drawing = () => withCaption(mechanism, theme, caption(model, store.get(), words));
   const plots = () => withLegend(chart, theme, words);
   const head = (/** @type {string} */ id, /** @type {string} */ key) => make("span", { id, "data-t": key });
-  const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {() => void} */ press) => {
+  const button = (/** @type {string} */ part, /** @type {string} */ format, /** @type {() => void} */ press, text = format.toUpperCase()) => {
     const id = `export-${part}-${format}`;
-    return make("button", { id, class: "control", type: "button", "aria-labelledby": `export-${part} ${id}`, onclick: press }, [format.toUpperCase()]);
+    return make("button", { id, class: "control", type: "button", "aria-labelledby": `export-${part} ${id}`, onclick: press }, [text]);
+  };
+  const said = make("p", { id: "export-said", class: "note", role: "status" });
+  const copy = async (/** @type {Promise<Blob>} */ png) => {
+    // The item takes the promise: some browsers allow the clipboard only right after the click.
+    const copied = await navigator.clipboard.write([new ClipboardItem({ "image/png": png })]).then(() => true, () => false);
+    said.textContent = words.text(copied ? "export.copied" : "export.not_copied");
   };
   const pictures = (/** @type {string} */ part, /** @type {string} */ canvas, /** @type {() => import("assur/export/pictures.js").Picture} */ picture) => {
     const title = () => byId(canvas, HTMLCanvasElement).getAttribute("aria-label") ?? "";
     return make("div", {}, [
       button(part, "svg", () => download(toSvg(picture(), theme, title()), `${name}-${part}.svg`)),
       button(part, "png", async () => download(await toPng(picture(), theme), `${name}-${part}.png`)),
+      ...(copies() ? [button(part, "copy", () => copy(toPng(picture(), theme)), words.text("export.copy"))] : []),
     ]);
   };
   const title = () => byId("mechanism", HTMLCanvasElement).getAttribute("aria-label") ?? "";
-  const moving = animations(page, theme, name, title);
+  const moving = animations(page, theme, name, title, said);
   const { coordinate } = model;
   const step = make("select", { id: "export-step", class: "control", "aria-labelledby": "export-table export-step-name" });
   step.append(...STEPS.map((steps) => make("option", { value: `${steps}` }, [coordinate.share(steps, words)])));
@@ -122,10 +130,15 @@ function makeDialog(page) {
   const dialog = make("dialog", { id: "export-dialog", class: "dialog", "aria-labelledby": "export-title" }, [
     make("form", { method: "dialog" }, [
       make("h2", { id: "export-title", "data-t": "export.title" }),
-      make("div", { class: "exports" }, exports),
+      make("div", { class: "exports" }, [...exports, make("div", { class: "whole" }, [moving.working, said])]),
       make("p", { class: "note", "data-t": "export.note" }),
       make("div", { class: "way-out" }, [make("button", { id: "export-close", class: "control", "data-t": "dialog.close" })]),
     ]),
   ]);
   return { dialog, stop: moving.stop };
+}
+
+/** @returns {boolean} whether the browser can put a picture into the clipboard, which it cannot on a page without a secure address */
+function copies() {
+  return typeof ClipboardItem !== "undefined" && navigator.clipboard !== undefined;
 }

@@ -23,10 +23,12 @@ const SAME = 255;
 /** Number of bins of colours, with five bits each for red, green and blue. */
 const BINS = 1 << 15;
 
-/** @type {{ width: number, height: number, delay: number } | null} size of the pictures, and delay between them in hundredths of a second */
+/** @type {{ width: number, height: number } | null} size of the pictures */
 let sheet = null;
 /** @type {Uint16Array[]} for each picture, the colour bins of its pixels */
 const pictures = [];
+/** @type {number[]} for each picture, the time for which it is shown, in hundredths of a second */
+const delays = [];
 const counts = new Float64Array(BINS);
 /** Sums of red, green and blue over the pixels in each bin. */
 const sums = new Float64Array(3 * BINS);
@@ -39,8 +41,10 @@ let before = null;
 const file = [];
 
 addEventListener("message", ({ data }) => {
-  if (data.pixels) take(new Uint8ClampedArray(data.pixels));
-  else if (data.write) writeNext();
+  if (data.pixels) {
+    take(new Uint8ClampedArray(data.pixels));
+    delays.push(data.delay);
+  } else if (data.write) writeNext();
   else sheet = data;
   if (begun && written === pictures.length) {
     begun.gif.end();
@@ -65,7 +69,7 @@ function writeNext() {
   if (!sheet || written === pictures.length) return;
   begun ??= begin(sheet);
   const { gif, indices } = begun;
-  const { width, height, delay } = sheet;
+  const { width, height } = sheet;
   const now = Uint8Array.from(pictures[written], (bin) => indices[bin]);
   const [left, top, right, bottom] = before ? changed(now, before, width, height) : [0, 0, width, height];
   const part = [];
@@ -76,7 +80,7 @@ function writeNext() {
     }
   }
   // Disposal 1: the previous picture stays visible under the transparent pixels of the next.
-  gif.addFrame(left, top, right - left, bottom - top, part, { delay, disposal: 1, transparent: SAME });
+  gif.addFrame(left, top, right - left, bottom - top, part, { delay: delays[written], disposal: 1, transparent: SAME });
   pictures[written] = new Uint16Array();
   before = now;
   written += 1;

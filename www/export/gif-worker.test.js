@@ -23,10 +23,10 @@ async function write(width, height, delay, pictures) {
     worker.onerror = ({ message: why }) => fail(new Error(why));
     worker.postMessage(message, transfer);
   });
-  assert.equal(await ask({ width, height, delay }), null);
+  assert.equal(await ask({ width, height }), null);
   for (const picture of pictures) {
     const { buffer } = picture.slice();
-    assert.equal(await ask({ pixels: buffer }, [buffer]), null);
+    assert.equal(await ask({ pixels: buffer, delay }, [buffer]), null);
   }
   let asked = 0;
   let file = null;

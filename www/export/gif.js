@@ -1,4 +1,5 @@
 // An animation as GIF: the page paints, a worker writes the file.
+import { sheetOf } from "assur/export/beside.js";
 import { inputs, moments, targetOn } from "assur/export/moments.js";
 
 /** Shortest time for which programs show a picture, in hundredths of a second, the unit of GIF. */
@@ -14,8 +15,9 @@ const PAINTING = 1 / 3;
  * @param {import("assur/export/moments.js").Job} work
  * @returns {Promise<Blob>}
  */
-export async function toGif(page, theme, { moments: count, width, seconds }, { signal, tell }) {
-  const { size, begin } = page.mechanism.sheet();
+export async function toGif(page, theme, wishes, { signal, tell }) {
+  const { moments: count, width, seconds } = wishes;
+  const { size, begin } = sheetOf(page, wishes);
   const canvas = new OffscreenCanvas(1, 1);
   const target = targetOn(canvas, size, width, { alpha: false, willReadFrequently: true });
   const { ground, moment } = begin(theme);
@@ -25,13 +27,14 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
   const stop = () => worker.terminate();
   signal.addEventListener("abort", stop);
   try {
-    const delay = Math.max(Math.round((100 * seconds) / count), MIN_DELAY);
-    await answer(worker, signal, { width: canvas.width, height: canvas.height, delay });
+    await answer(worker, signal, { width: canvas.width, height: canvas.height });
+    let number = 0;
     for await (const here of all) {
       ground(target);
       moment(target, here);
       const { data } = target.context.getImageData(0, 0, canvas.width, canvas.height);
-      await answer(worker, signal, { pixels: data.buffer }, [data.buffer]);
+      await answer(worker, signal, { pixels: data.buffer, delay: delayOf(number, count, seconds) }, [data.buffer]);
+      number += 1;
     }
     let file = null;
     let written = 0;
@@ -45,6 +48,17 @@ export async function toGif(page, theme, { moments: count, width, seconds }, { s
     signal.removeEventListener("abort", stop);
     worker.terminate();
   }
+}
+
+/**
+ * @param {number} number of the picture, from 0
+ * @param {number} count of pictures
+ * @param {number} seconds duration of all
+ * @returns {number} time for which the picture is shown, in hundredths of a second, so that all together last as long as they should
+ */
+export function delayOf(number, count, seconds) {
+  const [begin, end] = [number, number + 1].map((at) => Math.round((100 * seconds * at) / count));
+  return Math.max(end - begin, MIN_DELAY);
 }
 
 /**

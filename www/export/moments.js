@@ -4,8 +4,8 @@ import { Refusal, attempt } from "assur/core/problem.js";
 /**
  * @typedef {import("assur/export/pictures.js").Moment} Moment
  * @typedef {import("assur/app/page.js").Page} Page
- * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number }} Wishes number of moments, width in pixels,
- * and duration of a period in seconds
+ * @typedef {{ readonly moments: number, readonly width: number, readonly seconds: number, readonly plots?: boolean }} Wishes number of moments, width in pixels,
+ * duration of a period in seconds, and whether the plots stand beside the drawing
  * @typedef {{ readonly signal: AbortSignal, tell: (share: number) => void }} Job work that can be cancelled and reports its progress
  */
 
@@ -82,7 +82,7 @@ async function* momentsOf(document, page, inputs, { signal, tell }) {
     const { value, problems } = attempt(() => page.engine.at(input));
     if (value) found = true;
     else why = problems;
-    if (value) yield { frame: value.frame, frameInput: input, readouts: value.readouts, compared: page.engine.compared(input) };
+    if (value) yield { frame: value.frame, frameInput: input, readouts: value.readouts, plotted: value.plotted, compared: page.engine.compared(input) };
     tell((number + 1) / inputs.length);
   }
   if (!found) throw new Refusal([...why]);

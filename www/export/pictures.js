@@ -10,7 +10,7 @@ import { setChartFont } from "assur/plots/text.js";
  * @typedef {import("assur/stage/figure.js").Size} Size
  * @typedef {import("assur/canvas/painter.js").Target} Target
  * @typedef {{ readonly size: Size, paint: (target: Target, theme: Theme, newPath?: () => Path2D) => void }} Picture
- * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared">} Moment state of the mechanism at one input
+ * @typedef {Pick<import("assur/stage/figure.js").Snapshot, "frame" | "frameInput" | "readouts" | "compared"> & { readonly plotted?: Float64Array | null }} Moment state of the mechanism at one input
  * @typedef {object} Sheet picture of the mechanism that can be painted at any input
  * @property {Size} size
  * @property {(theme: Theme, newPath?: () => Path2D, places?: import("assur/canvas/places.js").Places) => Drawing} begin begins a series of paintings with labels in the same places

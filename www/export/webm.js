@@ -1,5 +1,7 @@
 // An animation as WebM, recorded by the browser in real time.
+import { sheetOf } from "assur/export/beside.js";
 import { inputs, moments, targetOn } from "assur/export/moments.js";
+import { withDuration } from "assur/export/webm-duration.js";
 
 const KINDS = Object.freeze(["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"]);
 
@@ -13,8 +15,9 @@ const BITS = 8;
  * @param {import("assur/export/moments.js").Job} work
  * @returns {Promise<Blob>}
  */
-export async function toWebm(page, theme, { moments: count, width, seconds }, work) {
-  const { size, begin } = page.mechanism.sheet();
+export async function toWebm(page, theme, wishes, work) {
+  const { moments: count, width, seconds } = wishes;
+  const { size, begin } = sheetOf(page, wishes);
   const canvas = document.createElement("canvas");
   const target = targetOn(canvas, size, width);
   const { ground, moment } = begin(theme);
@@ -34,7 +37,9 @@ export async function toWebm(page, theme, { moments: count, width, seconds }, wo
   } finally {
     recording?.stop();
   }
-  return new Blob(await recording?.parts, { type: "video/webm" });
+  const file = new Blob(await recording?.parts);
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  return new Blob([withDuration(bytes, recording?.lasts() ?? 0)], { type: "video/webm" });
 }
 
 /**
@@ -50,11 +55,14 @@ function record(canvas) {
   /** @type {Promise<Blob[]>} all recorded parts, once the recording is stopped */
   const parts = new Promise((resolve) => recorder.addEventListener("stop", () => resolve(recorded)));
   recorder.start();
+  const start = performance.now();
+  let end = start;
   const stop = () => {
+    end = performance.now();
     recorder.stop();
     for (const track of stream.getTracks()) track.stop();
   };
-  return { start: performance.now(), parts, stop };
+  return { start, parts, stop, lasts: () => end - start };
 }
 
 /**

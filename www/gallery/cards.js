@@ -4,14 +4,14 @@ import { readLesson } from "assur/lesson/offer.js";
 import { Progress } from "assur/lesson/progress.js";
 import { opens } from "assur/lesson/show.js";
 import { make } from "assur/core/dom.js";
-import { findable } from "assur/gallery/search.js";
+import { findable, findableMechanism } from "assur/gallery/search.js";
 import { LESSONS } from "assur/lessons/index.js";
 import { initialState } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/app/page.js").Page} Page
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {{ button: HTMLButtonElement, words: readonly string[] }} Card card with its search words
+ * @typedef {{ button: HTMLButtonElement, words: import("assur/gallery/search.js").Findable }} Card card with its search words
  * @typedef {{ key: string, cards: Card[] }} Group group with the key of its heading
  */
 
@@ -21,53 +21,50 @@ const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "high
 /**
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures
- * @param {Words} english words in English, by which cards can be found in every language of the page
+ * @param {readonly Words[]} tables words of all languages: cards are found by their names in each of them
  * @returns {Group[]}
  */
-export function groups(page, pictures, english) {
+export function groups(page, pictures, tables) {
   const shelves = page.engine.functions.shelves();
   const kinds = [...new Set([...GROUPS, ...shelves.map(({ group }) => group)])];
   const mechanisms = kinds.map((kind) => {
     const key = `gallery.group.${kind}`;
     const among = shelves.filter(({ group }) => group === kind);
-    return { key, cards: among.flatMap((shelf) => mechanismCard(shelf, key, page, pictures, english)) };
+    return { key, cards: among.flatMap((shelf) => mechanismCard(shelf, page, pictures, tables)) };
   });
-  return [{ key: "gallery.lessons", cards: LESSONS.map((entry) => lessonCard(entry, page, pictures, english)) }, ...mechanisms];
+  return [{ key: "gallery.lessons", cards: LESSONS.map((entry) => lessonCard(entry, page, pictures, tables)) }, ...mechanisms];
 }
 
 /**
  * @param {import("assur/types/file.js").Shelf} shelf
- * @param {string} group
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures
- * @param {Words} english
+ * @param {readonly Words[]} tables
  * @returns {Card[]} one card, or none if the catalogue lacks the mechanism
  */
-function mechanismCard({ id, class: highest }, group, page, pictures, english) {
+function mechanismCard(shelf, page, pictures, tables) {
+  const { id, class: highest } = shelf;
   const { words, store, engine } = page;
   const preset = engine.catalogue.preset(id);
   if (!preset) return [];
   const { kind, document } = preset;
   const key = `gallery.${id}`;
-  const line = (/** @type {Words} */ table) => (highest ? table.text("gallery.class", { class: highest }) : table.text(`kind.${kind}`));
+  const line = highest ? words.text("gallery.class", { class: highest }) : words.text(`kind.${kind}`);
   const about = make("small", { class: "about" }, [words.text(`about.${id}`)]);
-  const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line(words), about);
+  const button = card(`gallery-${id}`, pictures.add(async () => initialState(kind, document, {})), words.text(key), line, about);
   if (engine.catalogue.presetOf(store.get())?.id === id) button.setAttribute("aria-current", "true");
   button.addEventListener("click", () => page.choose(kind, document));
-  // The Roman numeral in a group's heading is left out: not all mechanisms of the group have this class.
-  const texts = [words, english].flatMap((table) =>
-    [table.text(key), table.text(`about.${id}`), table.text(group).replace(/[IVX]+/, ""), line(table)]);
-  return [{ button, words: findable(texts, highest ?? "") }];
+  return [{ button, words: findableMechanism(shelf, kind, tables) }];
 }
 
 /**
  * @param {import("assur/lesson/offer.js").Entry} entry
  * @param {Page} page
  * @param {import("assur/gallery/pictures.js").Pictures} pictures
- * @param {Words} english
+ * @param {readonly Words[]} tables
  * @returns {Card}
  */
-function lessonCard(entry, page, pictures, english) {
+function lessonCard(entry, page, pictures, tables) {
   const { words, engine } = page;
   const { id } = entry;
   const [title, line] = [`lessons.${id}.title`, `lessons.${id}.line`];
@@ -81,8 +78,8 @@ function lessonCard(entry, page, pictures, english) {
   });
   const button = card(`gallery-lesson-${id}`, picture, words.text(title), words.text(line), done);
   button.addEventListener("click", () => begin(page, entry));
-  const texts = [words, english].flatMap((table) => [table.text(title), table.text(line), table.text("gallery.lessons")]);
-  return { button, words: findable(texts) };
+  const inAll = (/** @type {string} */ key) => tables.map((table) => table.text(key));
+  return { button, words: findable({ names: inAll(title), headings: inAll("gallery.lessons"), about: inAll(line) }) };
 }
 
 /**

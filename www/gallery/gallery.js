@@ -1,6 +1,6 @@
 // The gallery: lessons and mechanisms as pictures to choose from. Loaded on demand.
 import { byId, make, write } from "assur/core/dom.js";
-import { Words } from "assur/core/words.js";
+import { LANGUAGES, Words } from "assur/core/words.js";
 import { groups } from "assur/gallery/cards.js";
 import { Pictures } from "assur/gallery/pictures.js";
 import { found } from "assur/gallery/search.js";
@@ -20,7 +20,7 @@ const DARK = "(prefers-color-scheme: dark)";
  */
 export async function openGallery(page) {
   const { words } = page;
-  const english = await Words.load("en");
+  const tables = await Promise.all(LANGUAGES.map((lang) => Words.load(lang).catch(() => words)));
   document.getElementById("gallery-dialog")?.remove();
   const search = make("input", {
     id: "gallery-search", class: "control", type: "search", autocomplete: "off", spellcheck: "false",
@@ -30,7 +30,7 @@ export async function openGallery(page) {
   const none = make("p", { id: "gallery-none", class: "note", role: "status" });
   const shelf = make("div", { class: "shelf" });
   const pictures = new Pictures(page, shelf);
-  const sections = groups(page, pictures, english).map(({ key, cards }) => ({ section: section(key, cards), cards }));
+  const sections = groups(page, pictures, tables).map(({ key, cards }) => ({ section: section(key, cards), cards }));
   shelf.append(...sections.map(({ section }) => section), none);
   const head = make("header", {}, [make("h2", { id: "gallery-title", "data-t": "gallery.open" }), search, close]);
   const dialog = make("dialog", { id: "gallery-dialog", class: "dialog gallery", "aria-labelledby": "gallery-title" }, [head, shelf]);

@@ -1,10 +1,15 @@
 // A lecturer's work with a class: worksheets for a list of names, and a table of the results that readers send back.
 import { make } from "assur/core/dom.js";
+import { download } from "assur/core/download.js";
+import { rowsAsCsv } from "assur/export/csv.js";
 import { fromCode } from "assur/lesson/code.js";
 import { sheets } from "assur/lesson/sheets.js";
 import { digestOf, verdictOn } from "assur/lesson/verdict.js";
 
-/** @typedef {import("assur/state/state.js").Written} Written */
+/**
+ * @typedef {import("assur/state/state.js").Written} Written
+ * @typedef {{ sign: string, given: string, tries: number, right: boolean }} Answer
+ */
 
 /** Largest number of names and of codes: more than a class needs. */
 const MAX_ENTRIES = 200;
@@ -24,6 +29,9 @@ export class Results {
   #lesson = null;
   /** @type {Map<string, import("assur/lesson/panel.js").Verdict>} verdicts by step, answer and name, kept because the engine may have to build a mechanism for each */
   #verdicts = new Map();
+  /** @type {string[][]} the cells of the table as they are saved: for each question the sign, the answer and the number of tries */
+  #cells = [];
+  #save = make("button", { id: "write-save_results", class: "control add", type: "button", hidden: "", onclick: () => this.#download() });
   /** Number of tables begun so far. */
   #begun = 0;
   element;
@@ -49,8 +57,13 @@ export class Results {
       make("label", { for: "write-names" }, [words.text("write.names")]), this.#names,
       make("div", { class: "lesson-buttons" }, [button("print_tasks", print(false)), button("print_answers", print(true))]),
       make("label", { for: "write-codes" }, [words.text("write.codes")]), this.#codes,
-      this.#table,
+      this.#table, this.#save,
     ]);
+    this.#save.textContent = words.text("write.save_results");
+  }
+
+  #download() {
+    download(rowsAsCsv(this.#cells, this.#words), `${this.#page.engine.catalogue.fileName(this.#page.store.get())}.csv`);
   }
 
   /** @param {Written} lesson */
@@ -68,11 +81,15 @@ export class Results {
     const codes = lines(this.#codes.value);
     if (!lesson || codes.length === 0) {
       this.#table.replaceChildren();
+      this.#save.hidden = true;
       return;
     }
     const words = this.#words;
     const asked = lesson.steps.flatMap(({ question }, i) => (question ? [i] : []));
     const heads = [words.text("write.result_name"), ...asked.map((i) => words.numbers.exact(i + 1)), words.text("write.result_right")];
+    const parts = (/** @type {number} */ i) => ["", "write.result_answer", "write.result_tries"].map((key) => [words.numbers.exact(i + 1), key && words.text(key)].filter(Boolean).join(": "));
+    this.#cells = [[words.text("write.result_name"), ...asked.flatMap(parts), words.text("write.result_right")]];
+    this.#save.hidden = false;
     const own = digestOf(lesson, this.#page.engine);
     const rows = make("tbody");
     this.#table.replaceChildren(
@@ -114,24 +131,28 @@ export class Results {
   #row(code, line, lesson, own, asked) {
     const words = this.#words;
     const result = fromCode(code);
-    const bad = (/** @type {string} */ key, name = "") =>
-      make("tr", { class: "bad" }, [make("td", { colspan: String(asked.length + 2) }, [words.text(key, { line: words.numbers.exact(line + 1), name })])]);
+    const bad = (/** @type {string} */ key, name = "") => {
+      const why = words.text(key, { line: words.numbers.exact(line + 1), name });
+      this.#cells.push([why]);
+      return make("tr", { class: "bad" }, [make("td", { colspan: String(asked.length + 2) }, [why])]);
+    };
     if (!result) return bad("write.bad_code");
     if (result.lesson !== own || result.answers.length !== lesson.steps.length) return bad("write.other_lesson", result.name);
+    /** @type {Answer[]} */
     const verdicts = asked.map((i) => {
       const { given = "", tries = 0, shown = false } = result.answers[i] ?? {};
-      const count = tries > 0 ? `(${words.numbers.exact(tries)})` : "";
-      if (shown) return { sign: SIGNS.shown, given: count, right: false };
-      if (given === "") return { sign: SIGNS.open, given: count, right: false };
+      if (shown) return { sign: SIGNS.shown, given: "", tries, right: false };
+      if (given === "") return { sign: SIGNS.open, given, tries, right: false };
       const right = this.#isRight(lesson, i, given, result.name);
-      return { sign: right ? SIGNS.right : SIGNS.wrong, given: `${saidOf(lesson, i, given)} ${count}`.trim(), right };
+      return { sign: right ? SIGNS.right : SIGNS.wrong, given: saidOf(lesson, i, given), tries, right };
     });
-    const count = words.text("write.of", {
-      right: words.numbers.exact(verdicts.filter(({ right }) => right).length), all: words.numbers.exact(asked.length),
-    });
+    const rightOnes = words.numbers.exact(verdicts.filter(({ right }) => right).length);
+    const count = words.text("write.of", { right: rightOnes, all: words.numbers.exact(asked.length) });
+    this.#cells.push([result.name, ...verdicts.flatMap(({ sign, given, tries }) => [sign, given, tries > 0 ? words.numbers.exact(tries) : ""]), rightOnes]);
+    const brief = (/** @type {Answer} */ { sign, given, tries }) => [sign, given, tries > 0 ? `(${words.numbers.exact(tries)})` : ""].filter(Boolean).join(" ");
     return make("tr", {}, [
       make("th", { scope: "row" }, [result.name]),
-      ...verdicts.map(({ sign, given, right }) => make("td", { "data-right": String(right) }, [[sign, given].join(" ").trim()])),
+      ...verdicts.map((answer) => make("td", { "data-right": String(answer.right) }, [brief(answer)])),
       make("td", {}, [count]),
     ]);
   }

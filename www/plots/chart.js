@@ -2,8 +2,10 @@
 import { Surface } from "assur/canvas/surface.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
-import { drawAgainstText } from "assur/plots/against.js";
+import { drawAgainstCursor, drawAgainstText } from "assur/plots/against.js";
+import { paintCursorLine, pointsOf } from "assur/plots/cursor-line.js";
 import { drawMarks } from "assur/plots/marks.js";
+import { across } from "assur/plots/panel.js";
 import { drawChartText } from "assur/plots/text.js";
 
 /**
@@ -91,6 +93,21 @@ export class ChartView {
    */
   paint(target, theme) {
     if (this.#snapshot) this.#paint(target, this.#snapshot, theme, true);
+  }
+
+  /**
+   * Paints the plots with the cursor of a moment on another canvas of the same size.
+   * @param {import("assur/canvas/painter.js").Target} target
+   * @param {Theme} theme
+   * @param {{ readonly frameInput: number, readonly plotted?: Float64Array | null }} moment
+   */
+  paintAt(target, theme, { frameInput, plotted = null }) {
+    const snapshot = this.#snapshot;
+    if (!snapshot) return;
+    const { panels, against } = this.#paint(target, snapshot, theme, true);
+    const { context } = target;
+    for (const panel of panels) paintCursorLine(context, panel, across(panel, frameInput), pointsOf(panel, plotted), theme);
+    if (against) drawAgainstCursor(/** @type {CanvasRenderingContext2D} */ (context), against, plotted, snapshot, theme, { tagged: false });
   }
 
   /**

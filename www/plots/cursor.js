@@ -5,7 +5,8 @@ import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { idOf } from "assur/core/quantity.js";
 import { drawAgainstCursor } from "assur/plots/against.js";
-import { across, down, shows } from "assur/plots/panel.js";
+import { dotRadius, paintCursorLine, pointsOf } from "assur/plots/cursor-line.js";
+import { across } from "assur/plots/panel.js";
 import { paintTag, placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { axisValueText } from "assur/plots/units.js";
@@ -17,13 +18,10 @@ import { axisValueText } from "assur/plots/units.js";
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
  */
 
-/** In pixels at the usual text size. `DOT`: radius of a dot. `TAG`: height of a number's box. */
-const DOT = 4.5;
+/** Height of a number's box, in pixels at the usual text size. */
 const TAG = 17;
 /** Dashes of the second cursor's line. */
 const GHOST = [4, 4];
-/** @type {number[]} dashes of the first cursor's line: none */
-const SOLID = [];
 
 export class ChartCursor {
   #surface;
@@ -82,10 +80,6 @@ export class ChartCursor {
     this.#angle(panels[0], hovered, snapshot);
   }
 
-  get #dot() {
-    return DOT * this.#theme.scale;
-  }
-
   get #tall() {
     return TAG * this.#theme.scale;
   }
@@ -112,50 +106,29 @@ export class ChartCursor {
    * @param {number} input
    * @param {Float64Array | null} values of the plotted quantities
    * @param {readonly Box[] | null} labels labels that the written values avoid; null to write no values
-   * @param {number[]} dashes of the line
+   * @param {number[]} [dashes] of the line
    */
-  #panel(panel, snapshot, input, values, labels, dashes = SOLID) {
-    const { context } = this.#surface;
-    const { colours, weight } = this.#theme;
+  #panel(panel, snapshot, input, values, labels, dashes) {
     const x = across(panel, input);
-    if (!(x >= panel.left - 1 && x <= panel.left + panel.width + 1)) return;
-    context.strokeStyle = colours.ink;
-    context.lineWidth = weight;
-    context.beginPath();
-    context.moveTo(x, panel.top);
-    context.lineTo(x, panel.top + panel.height);
-    context.setLineDash(dashes);
-    context.stroke();
-    context.setLineDash(SOLID);
-    const dots = this.#dots(panel, snapshot, values);
+    const points = pointsOf(panel, values);
+    if (!paintCursorLine(this.#surface.context, panel, x, points, this.#theme, dashes)) return;
+    const dots = this.#dots(panel, snapshot, points);
     if (dots.length === 0) return;
-    context.lineWidth = 2 * weight;
-    for (const { y, colour } of dots) {
-      context.beginPath();
-      context.arc(x, y, this.#dot, 0, 2 * Math.PI);
-      context.fillStyle = colours.paper;
-      context.fill();
-      context.strokeStyle = colour;
-      context.stroke();
-    }
     if (labels) this.#tags(panel, x, dots, labels);
   }
 
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
-   * @param {Float64Array | null} values of the plotted quantities
+   * @param {readonly import("assur/plots/cursor-line.js").Point[]} points
    * @returns {Dot[]} dots in order from top to bottom
    */
-  #dots(panel, { state, words, withheld }, values) {
-    if (!values) return [];
-    const dots = [];
-    for (const [i, { name, role }] of panel.series.entries()) {
-      const value = values[3 * i + panel.order];
-      if (!shows(panel, value)) continue;
-      const text = withheld.has(idOf(name, panel.order)) ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
-      dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
-    }
+  #dots(panel, { state, words, withheld }, points) {
+    const dots = points.map(({ index, value, y, role }) => {
+      const hidden = withheld.has(idOf(panel.series[index].name, panel.order));
+      const text = hidden ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
+      return { y, text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] };
+    });
     return dots.sort((a, b) => a.y - b.y);
   }
 
@@ -172,7 +145,7 @@ export class ChartCursor {
     const { left, top, width, height } = panel;
     const room = { left, top, right: left + width + 7, bottom: top + height };
     const middles = dots.map(({ y }) => y);
-    const tags = placedTags({ middles, widths, tall: this.#tall, x, off: this.#dot + 5, room, labels });
+    const tags = placedTags({ middles, widths, tall: this.#tall, x, off: dotRadius(this.#theme) + 5, room, labels });
     dots.forEach((dot, i) => this.#tag(tags[i].left, tags[i].top, widths[i], dot));
   }
 

@@ -263,6 +263,8 @@ export class MechanismPointer {
 
   /** @param {WheelEvent} event */
   #wheel(event) {
+    // Over a frame, the wheel scrolls on the page around it, unless the reader has pressed into the frame.
+    if (parent !== window && !event.ctrlKey && !document.hasFocus()) return;
     event.preventDefault();
     const at = this.#pixelOf(event);
     const pixels = event.deltaY * WHEEL_UNIT[event.deltaMode] * (event.ctrlKey ? PINCHED : 1);

@@ -47,6 +47,8 @@ export class MechanismView {
   #held = null;
   /** Whether the view is kept because the reader is drawing. */
   #kept = false;
+  /** Whether the next snapshot is of another mechanism, so that the present view is not kept. */
+  #replaced = false;
   /** Size of the canvas for which the view is kept. */
   #keptSize = "";
   #inset = 0;
@@ -72,6 +74,7 @@ export class MechanismView {
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
+    this.#replaced = false;
     this.#figure.take(snapshot);
     setData(this.#surface.canvas, "faded", String(snapshot.faded));
     this.#draw();
@@ -150,15 +153,17 @@ export class MechanismView {
   /**
    * Returns the picture of {@link cropped} in a form that can be painted at one input after another.
    * @param {number} [least] least width in pixels
+   * @param {number} [tall] least height in pixels
    * @returns {import("assur/export/pictures.js").Sheet}
    */
-  sheet(least = 0) {
+  sheet(least = 0, tall = 0) {
     const { visible } = this.#surface;
     const screen = visible ? this.view : Transform.fit(this.#fullBounds, ...UNSEEN, this.#margin);
     const [left, bottom, right, top] = visible && this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
     const aside = Math.ceil(Math.max(0, least - (right - left)) / 2);
-    const size = { width: right - left + 2 * aside, height: bottom - top };
-    const view = screen.moved(aside - left, -top);
+    const above = Math.ceil(Math.max(0, tall - (bottom - top)) / 2);
+    const size = { width: right - left + 2 * aside, height: bottom - top + 2 * above };
+    const view = screen.moved(aside - left, above - top);
     const snapshot = this.#snapshot;
     const small = this.#small;
     /** @type {import("assur/export/pictures.js").Sheet["begin"]} */
@@ -200,8 +205,12 @@ export class MechanismView {
     this.#look(this.view.moved(right, down));
   }
 
-  /** Fits the whole mechanism to the canvas. */
-  fit() {
+  /**
+   * Fits the whole mechanism to the canvas.
+   * @param {boolean} [replaced] whether it is that of the next snapshot
+   */
+  fit(replaced = false) {
+    this.#replaced = replaced;
     this.#zoom = Zoom.NONE;
     this.#bounds = null;
     this.#held = null;
@@ -311,7 +320,7 @@ export class MechanismView {
   #draw() {
     const snapshot = this.#snapshot;
     if (!snapshot || !this.#surface.begin()) return;
-    if (this.#kept) this.#keep();
+    if (this.#kept && !this.#replaced) this.#keep();
     const { view } = this;
     const key = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${view.scale} ${view.left} ${view.top}`;
     this.#backdrop.cover(this.#surface, key, (target) => this.#figure.paintGround(target, this.#surface, view));

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { Page } from "assur/tests/page.js";
+import { newDrawing } from "assur/drawing/begin.js";
 import { MechanismView } from "assur/stage/view.js";
 
 globalThis.OffscreenCanvas ??= class {
@@ -23,10 +24,11 @@ globalThis.ResizeObserver ??= class {
   }
 };
 
+const canvasOf = (clientWidth, clientHeight) => ({ clientWidth, clientHeight, dataset: {}, getContext: () => new Context() });
+
 function viewOf(width, height) {
   const page = new Page("mixer-a");
-  const canvas = { clientWidth: width, clientHeight: height, dataset: {}, getContext: () => new Context() };
-  const view = new MechanismView(canvas, page.engine, themeOf(page.engine.roles));
+  const view = new MechanismView(canvasOf(width, height), page.engine, themeOf(page.engine.roles));
   view.render(page.now());
   return view;
 }
@@ -40,4 +42,24 @@ test("a picture shows the mechanism whole and large, whether the stage is seen o
       assert.ok(Math.max(size.width, size.height) > 400 && Math.min(size.width, size.height) > 150, `${width} × ${height}: ${JSON.stringify(size)}`);
     }
   }
+});
+
+test("a new drawing has the scale of an empty sheet, whatever was drawn and zoomed before", () => {
+  const page = new Page("crank-rocker", { drawing: true });
+  const shown = (mechanism) => {
+    page.mechanism = mechanism;
+    mechanism.render(page.now());
+    return mechanism;
+  };
+  const view = shown(new MechanismView(canvasOf(800, 600), page.engine, themeOf(page.engine.roles)));
+  view.keep(true, 40);
+  view.zoom(5);
+  const before = view.view.scale;
+  newDrawing(page);
+  const { scale } = shown(view).view;
+  const fresh = new MechanismView(canvasOf(800, 600), page.engine, themeOf(page.engine.roles));
+  fresh.keep(true, 40);
+  assert.equal(scale, shown(fresh).view.scale);
+  assert.notEqual(scale, before);
+  assert.ok(!view.zoomed);
 });

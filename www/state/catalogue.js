@@ -49,10 +49,23 @@ export class Catalogue {
   }
 
   /**
-   * @param {State} state
-   * @returns {string} name of the state's files: that of its preset (`jansen`), or else that of its kind (`linkage`)
+   * @param {Pick<State, "kind" | "document" | "lesson">} state
+   * @returns {string} name of the state's files, without extension: the title of a lecturer's lesson, or else the name of
+   * the preset (`jansen`), the title of the document, or the name of its kind (`linkage`)
    */
-  fileName(state) {
-    return this.presetOf(state)?.id ?? state.kind;
+  fileName({ kind, document, lesson }) {
+    const title = "title" in document ? document.title : "";
+    return named(lesson?.title) || this.presetOf({ kind, document })?.id || named(title) || kind;
   }
+}
+
+/** Greatest length of a title in the name of a file, in characters. */
+const MAX_NAME = 60;
+
+/**
+ * @param {string | null} [title]
+ * @returns {string} its letters and digits, with hyphens between the words
+ */
+function named(title) {
+  return (title ?? "").normalize("NFC").match(/[\p{L}\p{M}\p{N}]+/gu)?.join("-").slice(0, MAX_NAME) ?? "";
 }

@@ -79,7 +79,7 @@ export function choose(kind, document, edits, look, page) {
   const { store, model, history, mechanism } = page;
   history.step(() => {
     store.update((state) => withView(withExtras(withMechanism(state, kind, document), { compared: undefined, picture: undefined }), PARTS));
-    mechanism.fit();
+    mechanism.fit(true);
     for (const { asked, field } of edits) {
       model.follow(store.get());
       change(() => asked(model.home), field, page);

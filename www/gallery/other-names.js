@@ -1,0 +1,58 @@
+// Other names of mechanisms, by which the search finds them in every language of the page: spellings, inventors, names in other books.
+
+const FOUR_BAR = "4-bar, four-bar, четырёхзвенник, четырёхзвенный, 4-звенник, чотириланковий, чотириланковик, 4-ланковий, төрт буынды, 4-буынды";
+const SIX_BAR = "6-bar, six-bar, шестизвенник, шестизвенный, 6-звенник, шестиланковий, 6-ланковий, алты буынды, 6-буынды";
+const STRAIGHT = "straight line, прямило, прямолинейно направляющий, прямолінійно напрямний, түзу сызықты";
+const CHEBYSHEV = "Chebyshev, Tschebyscheff, Tchebychev, Tchebichef, Chebychev, Чебышев, Чебишов, Чебишев";
+
+/** @type {Readonly<Record<string, string>>} by the names of the catalogue */
+export const OTHER_NAMES = Object.freeze({
+  "crank-rocker": `${FOUR_BAR}, crank and rocker`,
+  "double-crank": `${FOUR_BAR}, crank-crank`,
+  "double-rocker": `${FOUR_BAR}, rocker-rocker`,
+  "triple-rocker": `${FOUR_BAR}, non-Grashof`,
+  parallelogram: `${FOUR_BAR}, parallel four-bar`,
+  antiparallelogram: `${FOUR_BAR}, contraparallelogram, crossed parallelogram`,
+  "pump-jack": `${FOUR_BAR}, pumpjack, nodding donkey, oil pump, sucker rod, качалка`,
+  "slider-crank": "crank-slider, piston engine, piston, ползунный, повзунний",
+  "slider-crank-offset": "crank-slider, eccentric",
+  "inverted-slider-crank": "slotted lever, oscillating cylinder, кулиса, куліса",
+  whitworth: "quick-return, Уитворт, Витворт, Вітворт",
+  "scotch-yoke": "slotted link, sine mechanism, кулиса, куліса",
+  "elliptic-trammel": "ellipsograph, trammel of Archimedes, double slider, эллипсограф, еліпсограф",
+  oldham: "coupling, double slider, Oldham, Ольдхем, Ольдгем",
+  shaper: `${SIX_BAR}, quick-return, crank-shaper, строгальный, стругальний`,
+  "jaw-crusher": "Blake, stone crusher, rock crusher, дробилка, дробарка",
+  "toggle-press": "toggle, knuckle press, coining press",
+  "v-twin": "engine, motorcycle, двигатель, двигун",
+  wiper: "windshield, windscreen, wipers, дворник, двірник",
+  "watt-1": SIX_BAR,
+  "watt-2": SIX_BAR,
+  "stephenson-1": `${SIX_BAR}, Stevenson`,
+  "stephenson-2": `${SIX_BAR}, Stevenson`,
+  "stephenson-3": `${SIX_BAR}, Stevenson`,
+  chebyshev: `${FOUR_BAR}, ${STRAIGHT}, ${CHEBYSHEV}`,
+  hoeken: `${FOUR_BAR}, ${STRAIGHT}, ${CHEBYSHEV}, lambda, Hoecken, Hoekens, Хоукен, Хёкен`,
+  roberts: `${FOUR_BAR}, ${STRAIGHT}`,
+  "watt-line": `${FOUR_BAR}, ${STRAIGHT}`,
+  evans: `${FOUR_BAR}, ${STRAIGHT}, grasshopper`,
+  "scott-russell": `${STRAIGHT}, isosceles`,
+  peaucellier: `${STRAIGHT}, Lipkin, Lipman, inversor, Липкин, Посселье, инверсор, інверсор`,
+  pantograph: "Scheiner, copying",
+  "coupled-cranks": "locomotive, coupling rod, паровоз",
+  "cardan-trammel": "Cardan, Cardano, ellipsograph, trammel of Archimedes, Кардан",
+  klann: "walker, walking machine, spider, Клан",
+  jansen: "Theo Jansen, Strandbeest, walker, walking machine, beach animal, Тео Янсен, Стрендбист, Страндбист",
+  "geared-five-bar": "5-bar, five-bar, gear five-bar, 5-звенник, п’ятиланковий",
+  "sun-and-planet": "epicyclic, Murdoch, planet gear",
+  planetary: "epicyclic, planet gear, gearbox",
+  differential: "epicyclic, planetary",
+  "train-magnets": "epicyclic, planetary, magnetic gear",
+  "train-gears": "epicyclic, planetary",
+  "train-stepped": "epicyclic, planetary",
+  "train-bevel": "epicyclic, car differential, axle",
+  "class3-platform": "triad, platform, III3",
+  "class3-slide": "triad, III3",
+  "mobility-2a": FOUR_BAR,
+  "mobility-2c": SIX_BAR,
+});
