@@ -43,6 +43,7 @@ pub(super) const BUILT: [(&str, &[&str]); 64] = [
     ("draw.mend.", &["www/drawing/reasons.js"]),
     ("draw.picture.", &["www/drawing/picture-options.js"]),
     ("draw.prompt.", &["www/drawing/tools.js"]),
+    ("draw.short.", &["www/drawing/tools.js"]),
     ("draw.tool.", &["www/drawing/tools.js"]),
     ("equations.", &["www/kinds/linkage/equations.js"]),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),
