@@ -1,4 +1,4 @@
-// What a drag of the handle under the pointer would do, told before and while it is dragged: by a word and by the cursor.
+// Effect of a drag of the handle under the pointer, shown before and during the drag by a word and by the cursor.
 import { byId, make, setData, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
