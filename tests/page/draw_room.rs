@@ -29,9 +29,9 @@ async fn the_stage_stands_still() {
         let four_bar = [
             [-3.0, -1.0],
             [-3.0, 0.0],
-            [0.6, 1.8],
-            [1.0, -1.0],
-            [1.0, -1.0],
+            [1.0, 2.0],
+            [2.0, -1.0],
+            [2.0, -1.0],
         ];
         for place in four_bar {
             sheet.press(place[0], place[1]).await;
@@ -48,7 +48,7 @@ async fn the_stage_stands_still() {
         assert_eq!(stage(&page).await, before);
         assert_eq!(page.ask(count).await, "= 3n − 2p₅ − p₄ = 3·3 − 2·4 − 0 =");
         // A free link: it does not move any more.
-        sheet.line(&[[0.6, 1.8], [3.0, 2.0]]).await;
+        sheet.line(&[[1.0, 2.0], [3.0, 2.0]]).await;
         sheet.end().await;
         assert_eq!(page.count("[data-still=true]").await, 1);
         assert_eq!(stage(&page).await, before);
@@ -65,8 +65,8 @@ async fn the_stage_stands_still() {
             [
                 [-3.0, -1.0],
                 [-3.0, 0.0],
-                [0.6, 1.8],
-                [1.0, -1.0],
+                [1.0, 2.0],
+                [2.0, -1.0],
                 [3.0, 2.0]
             ]
         );
