@@ -85,7 +85,8 @@ export type DeadPointSummary = { input: number, kind: string, links: Array<strin
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
 /** Always null: a drawing has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
-/** Mobility W by count; none if the drawing could move, or refers to a part that does not exist. */ mobility: number | null, drivers: number, 
+/** Mobility W by count; none if the drawing could move, or refers to a part that does not exist. */ mobility: number | null, 
+/** Numbers of links and pairs; none if a defect of the drawing prevents counting. */ counts: CountsSummary | null, drivers: number, 
 /** Every reason why the drawing does not move. */ reasons: readonly Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
 export type Drawn = { 
 /** The point that was used or added last. */ point: string | null, 

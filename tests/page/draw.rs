@@ -35,18 +35,23 @@ impl<'a> Sheet<'a> {
         .await;
         page.settle().await;
         let area = page.element("mechanism").await.rect().await.unwrap();
-        // The tools stand on its top.
-        let tools = "const row = document.querySelector('.draw-buttons'); return row.offsetTop + row.offsetHeight";
+        // The tools stand on its top, the buttons in its corner.
+        let tools = "const tools = document.getElementById('draw-tools'); return tools.offsetTop + tools.offsetHeight";
+        let corner = "return document.getElementById('zoom-in').offsetHeight + 10";
         let inset = page.ask(tools).await.as_f64().unwrap();
+        let below = page.ask(corner).await.as_f64().unwrap();
         let [left, bottom, right, top] = SHEET;
         let scale = ((area.width - 2.0 * MARGIN) / (right - left))
-            .min((area.height - inset - 2.0 * MARGIN) / (top - bottom));
+            .min((area.height - inset - below - 2.0 * MARGIN) / (top - bottom));
         Self {
             page,
             presses: 2,
             begun: Instant::now(),
             scale,
-            middle: (area.width / 2.0, inset + (area.height - inset) / 2.0),
+            middle: (
+                area.width / 2.0,
+                inset + (area.height - inset - below) / 2.0,
+            ),
         }
     }
 
@@ -71,10 +76,20 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Takes up a tool.
+    /// Takes up a tool, which may be in the menu.
     pub(crate) async fn tool(&mut self, name: &str) {
+        let id = format!("draw-{name}");
+        if self
+            .page
+            .count(&format!("#draw-menu[hidden] > #{id}"))
+            .await
+            == 1
+        {
+            self.presses += 1;
+            self.page.click("draw-more").await;
+        }
         self.presses += 1;
-        self.page.click(&format!("draw-{name}")).await;
+        self.page.click(&id).await;
     }
 
     /// Ends what is being drawn.

@@ -72,12 +72,14 @@ async fn everything_works_under_the_policy_and_then_without_the_network() {
     // A picture behind the drawing is data that the page has already.
     page.click("draw").await;
     there(&page, "#draw-tools:not([hidden])").await;
+    page.click("draw-more").await;
     page.click("draw-picture").await;
     let scan = picture_behind::file("hosted.svg", picture_behind::SCAN);
     page.choose_file("draw-picture-file", &scan).await;
     picture_behind::taken(&page).await;
     page.reload().await;
     there(&page, "#draw-tools:not([hidden])").await;
+    page.click("draw-more").await;
     page.click("draw-picture").await;
     picture_behind::taken(&page).await;
     // Of every kind there are links.

@@ -20,6 +20,7 @@ mod differential_lesson;
 mod dimensions;
 mod draw;
 mod draw_more;
+mod draw_room;
 mod draw_wheels;
 mod drivers;
 mod embedding;

@@ -2,7 +2,7 @@
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-pub(super) const BUILT: [(&str, &[&str]); 64] = [
+pub(super) const BUILT: [(&str, &[&str]); 65] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -43,6 +43,7 @@ pub(super) const BUILT: [(&str, &[&str]); 64] = [
     ("draw.mend.", &["www/drawing/reasons.js"]),
     ("draw.picture.", &["www/drawing/picture-options.js"]),
     ("draw.prompt.", &["www/drawing/tools.js"]),
+    ("draw.short.", &["www/drawing/tools.js"]),
     ("draw.tool.", &["www/drawing/tools.js"]),
     ("equations.", &["www/kinds/linkage/equations.js"]),
     ("gallery.", &["crates/assur-file/src/catalogue.rs"]),

@@ -1,4 +1,4 @@
-// Notices on shared URLs, files and parts of the page: sentences shown until the reader closes them.
+// Notices on shared URLs, files and parts of the page: sentences shown until the reader closes them; what was done, some seconds.
 import { lossOf, sentence } from "assur/controls/problems.js";
 import { byId, make } from "assur/core/dom.js";
 
@@ -31,10 +31,15 @@ export const UNKEPT = Object.freeze({
   tab: [{ kind: "store", problems: [{ code: "other_tab" }] }],
 });
 
+/** Time for which a notice of what was done is shown, in milliseconds. A notice of a failure stays until it is closed. */
+const DONE_PERIOD = 10_000;
+
 export class Notices {
   #container = byId("notice", HTMLElement);
   #text = byId("notice-text", HTMLElement);
   #changed;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #leaving;
   /** @type {readonly (Failure | Done)[]} */
   #told = [];
   /** @type {readonly unknown[]} shown notices and their language */
@@ -49,6 +54,8 @@ export class Notices {
   /** @param {readonly (Failure | Done)[]} told */
   tell(told) {
     this.#told = told;
+    clearTimeout(this.#leaving);
+    if (told.length > 0 && told.every(isDone)) this.#leaving = setTimeout(() => this.clear(), DONE_PERIOD);
     this.#changed();
   }
 

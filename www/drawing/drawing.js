@@ -1,13 +1,16 @@
 // Drawing mode: tools over the drawing, the pointer that uses them, a panel beside the drawing. Loaded on demand.
+import { paintAxes } from "assur/drawing/axes.js";
+import { Count } from "assur/drawing/count.js";
 import { step, unsay } from "assur/drawing/edit.js";
 import { Hand } from "assur/drawing/hand.js";
 import { paint } from "assur/drawing/marks.js";
 import { DrawingRail } from "assur/drawing/rail.js";
 import { Selection } from "assur/drawing/selection.js";
 import { Palette } from "assur/drawing/palette.js";
+import { addPlotsButton } from "assur/drawing/plots-button.js";
 import "assur/drawing/style.js";
 import { Work } from "assur/drawing/tools.js";
-import { byId } from "assur/core/dom.js";
+import { byId, setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
 
@@ -22,6 +25,9 @@ const FORMAT = "assur.drawing";
 /** Offset of a pasted part from its original, to the right and down, in steps of the grid. */
 const PASTE_OFFSET = 4;
 
+/** Distance of numbers and texts from the edges of the drawing, in pixels. */
+const EDGE = 8;
+
 export class Drawing {
   #page;
   #selection = new Selection();
@@ -29,6 +35,7 @@ export class Drawing {
   #hand;
   #palette;
   #rail;
+  #count = new Count();
   #on = false;
   /** Whether the document shown last was an empty sheet. */
   #empty = false;
@@ -42,9 +49,13 @@ export class Drawing {
     this.#rail = new DrawingRail(page, this.#selection, {
       remove: () => this.#remove(), duplicate: () => this.#duplicate(), mirror: () => this.#mirror(),
     });
+    addPlotsButton(page.words);
     page.mechanism.lay((context, view, theme) => {
-      if (this.#on) paint(context, view, theme, { page, work: this.#work, selection: this.#selection, hand: this.#hand });
+      if (this.#on) paint(context, view, theme, { page, work: this.#work, selection: this.#selection, hand: this.#hand, area: this.#area });
     });
+    page.mechanism.layUnder((context, view, theme) => {
+      if (this.#on) paintAxes(context, view, theme, this.#area, page.words);
+    }, () => null);
     const { picture } = this.#work;
     page.mechanism.layUnder((context, view) => {
       if (this.#on) picture.paint(context, view);
@@ -59,32 +70,37 @@ export class Drawing {
   render(snapshot) {
     const { state, summary } = snapshot;
     const on = state.view.drawing && "links" in state.document && (!summary.moves || summary.traceable);
-    if (on !== this.#on) this.#turn(on);
+    const turned = on !== this.#on;
+    if (turned) this.#turn(on);
+    this.#count.render(snapshot, on);
     if (!on) return;
     this.#work.picture.follow();
     const document = /** @type {Document} */ (state.document);
     // An empty sheet starts with the tool for bars.
     const empty = document.points.length === 0;
-    if (empty && !this.#empty) this.#palette.take("bars");
+    if (empty && !this.#empty && this.#work.tool !== "bars") this.#palette.take("bars");
     this.#empty = empty;
     this.#selection.keep(document);
-    const names = new Set(document.points.map(({ name }) => name));
-    if (this.#work.pressed.some(({ point }) => point !== null && !names.has(point))) this.#work.rest();
+    this.#work.follow();
     this.#palette.render(snapshot);
     this.#rail.render(snapshot, document);
+    // The drawing was painted before its tools were there.
+    if (turned) this.#page.mechanism.repaint();
   }
 
   /** @param {boolean} on */
   #turn(on) {
     const { pointer, mechanism } = this.#page;
     this.#on = on;
+    // The style sheet keeps the size of the stage from now on, whatever the drawing does.
+    setData(document.documentElement, "drawing", String(on));
     this.#palette.element.hidden = !on;
     this.#rail.show(on);
     this.#selection.clear();
     this.#work.rest();
     unsay(this.#page);
     pointer.setTool(on ? this.#hand : null);
-    mechanism.keep(on, on ? this.#palette.height : 0);
+    mechanism.keep(on, () => this.#palette.insets);
     if (on) this.#palette.take("select");
   }
 
@@ -95,7 +111,8 @@ export class Drawing {
     if (!drawn || event.defaultPrevented || document.querySelector("dialog[open]")) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     const typing = target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
-    if (event.key === "Escape" && this.#work.pressed.length > 0) this.#work.rest();
+    if (event.key === "Escape" && this.#palette.fold()) byId("draw-more", HTMLButtonElement).focus();
+    else if (event.key === "Escape" && this.#work.pressed.length > 0) this.#work.rest();
     else if (typing) return;
     else if (event.key === "Escape" && !this.#selection.empty) this.#selection.clear();
     else if (event.key === "Enter" && this.#hand.over && target.closest("button, summary, a") === null) this.#hand.pressHere();
@@ -110,6 +127,13 @@ export class Drawing {
     event.preventDefault();
     event.stopPropagation();
     this.#page.redraw();
+  }
+
+  /** @returns {import("assur/drawing/axes.js").Area} the part of the drawing without tools and buttons */
+  get #area() {
+    const { width, height } = this.#page.mechanism.size;
+    const { top, bottom } = this.#palette.insets;
+    return { left: EDGE, top: top + EDGE, right: width - EDGE, bottom: height - bottom - EDGE };
   }
 
   #document() {

@@ -13,6 +13,12 @@ import { PARTS, withMechanism, withView } from "assur/state/state.js";
 /** Name of the field that shows the reason for refusing an edit. */
 const FIELD = "edit";
 
+/** Time for which a message about a press or a drag stays if nothing else is done, in milliseconds. */
+const MESSAGE_PERIOD = 8000;
+
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let leaving;
+
 /**
  * Edits the open document. Shows the reason if the edit is refused, and then returns null.
  * @param {Page} page
@@ -67,5 +73,15 @@ export function refuse(page, code) {
 
 /** @param {Page} page */
 export function unsay(page) {
+  clearTimeout(leaving);
   page.drafts.drop(FIELD);
+}
+
+/**
+ * Takes the reason of a refusal back after some seconds.
+ * @param {Page} page
+ */
+export function unsayLater(page) {
+  clearTimeout(leaving);
+  if (page.drafts.has(FIELD)) leaving = setTimeout(() => unsay(page), MESSAGE_PERIOD);
 }

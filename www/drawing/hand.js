@@ -1,6 +1,6 @@
 // The pointer in drawing mode: the points and links that presses hit and drags move.
 import { attempt } from "assur/core/problem.js";
-import { edit } from "assur/drawing/edit.js";
+import { edit, unsay, unsayLater } from "assur/drawing/edit.js";
 import { inputNow } from "assur/state/change.js";
 import { side } from "assur/stage/paper.js";
 
@@ -31,6 +31,8 @@ export class Hand {
   frame = null;
   /** @type {Point | null} point in the model at which a press would act; null if the pointer is outside the drawing */
   over = null;
+  /** @type {Point | null} position of the point that is dragged */
+  held = null;
   /** Whether `over` was set by the keyboard's pointer. */
   keyed = false;
 
@@ -54,6 +56,7 @@ export class Hand {
   hover(at, event) {
     const target = this.#target(at, event);
     this.over = target.at;
+    this.held = null;
     this.keyed = false;
     this.#page.mechanism.ring(target.point ?? "");
     this.#changed();
@@ -94,10 +97,13 @@ export class Hand {
    * @param {Pressed} event
    */
   press(at, event) {
+    // A message about the press before leaves.
+    unsay(this.#page);
     const target = this.#target(at, event);
     if (this.#work.tool === "select") this.#selection.choose(target.point, target.link, event.shiftKey);
     else this.#work.press(target);
     this.over = target.at;
+    unsayLater(this.#page);
     this.#page.redraw();
   }
 
@@ -109,6 +115,7 @@ export class Hand {
    */
   grab(at, event) {
     const touch = event.pointerType === "touch";
+    unsay(this.#page);
     if (this.#work.tool === "picture" && this.#work.picture.there) return this.#slide(at);
     if (this.#work.tool !== "select") return null;
     const { point, link } = this.#target(at, event);
@@ -142,12 +149,16 @@ export class Hand {
         onto = near && this.#isPoint(near.name) && this.#isPoint(point) ? near.name : "";
         const [x, y] = near ? [near.x, near.y] : this.#snapped(pixel, free);
         this.#page.mechanism.ring(onto || point);
+        const drawn = edit(this.#page, { edit: "place", point, at: [x, y] });
+        this.held = drawn?.document.points.find(({ name }) => name === point)?.at ?? this.held;
         // Locked dimensions may have kept the dragged point from reaching the other point.
-        if (edit(this.#page, { edit: "place", point, at: [x, y] })?.held) onto = "";
+        if (drawn?.held) onto = "";
       },
       end: () => {
+        this.held = null;
         // Dragging and joining form one undo step.
         if (onto && edit(this.#page, { edit: "join", points: [point, onto] })) this.#selection.set([onto], []);
+        unsayLater(this.#page);
       },
     };
   }
@@ -174,7 +185,7 @@ export class Hand {
         last[0] += went[0];
         last[1] += went[1];
       },
-      end() {},
+      end: () => unsayLater(this.#page),
     };
   }
 

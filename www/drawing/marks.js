@@ -1,10 +1,12 @@
 // Marks painted over the drawing while it is edited: the selection, the points and links pressed so far, the line from
-// the last press to the pointer, locked dimensions, and the marks on the picture behind the drawing.
+// the last press to the pointer, locked dimensions, the marks on the picture behind the drawing, and the text beside
+// the pointer.
+import { paintPointerText, pointerText } from "assur/drawing/pointer-text.js";
 import { level } from "assur/drawing/tools.js";
 
 /**
  * @typedef {{ page: import("assur/app/page.js").Page, work: import("assur/drawing/tools.js").Work, selection: import("assur/drawing/selection.js").Selection,
- *   hand: import("assur/drawing/hand.js").Hand }} Drawn
+ *   hand: import("assur/drawing/hand.js").Hand, area: import("assur/drawing/axes.js").Area }} Drawn
  */
 
 /** `RING`: radius of the ring around a point, in pixels. `OVER`: width of the line over a link, in pixels. */
@@ -23,7 +25,7 @@ const DASHES = Object.freeze([6, 5]);
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {Drawn} drawn
  */
-export function paint(context, view, theme, { page, work, selection, hand }) {
+export function paint(context, view, theme, { page, work, selection, hand, area }) {
   const pixels = new Map(page.mechanism.joints().map(({ name, x, y }) => [name, view.toScreen(x, y)]));
   const { links = [], locks = [] } = /** @type {Partial<import("assur/state/state.js").LinkageDocument>} */ (page.store.get().document);
   context.save();
@@ -77,6 +79,13 @@ export function paint(context, view, theme, { page, work, selection, hand }) {
   if (hand.over && (work.tool !== "select" || hand.keyed)) {
     context.setLineDash([]);
     ring(context, view.toScreen(...hand.over), 3 * theme.weight);
+  }
+  const at = hand.held ?? (hand.over && (work.tool !== "select" || hand.keyed) ? hand.over : null);
+  if (at && work.tool !== "picture") {
+    const guide = work.tool === "slide";
+    const from = hand.held || !last ? null : last.at;
+    context.setLineDash([]);
+    paintPointerText(context, pointerText(guide && from ? level(from, at) : at, from, !guide, page.words), view.toScreen(...at), area, theme);
   }
   if (hand.frame) {
     const [[left, top], [right, bottom]] = hand.frame.map(([x, y]) => view.toScreen(x, y));

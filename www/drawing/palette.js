@@ -1,10 +1,20 @@
-// The drawing tools as buttons over the drawing, and the prompt of the tool in use.
+// The drawing tools as buttons over the drawing, and the prompt of the tool in use. Five tools draw most mechanisms and are
+// always in sight; the others are in a menu beside them.
 import { numberField } from "assur/controls/number-box.js";
 import { byId, make, makeSvg, write } from "assur/core/dom.js";
 import { PictureOptions } from "assur/drawing/picture-options.js";
 import { subscript } from "assur/core/symbols.js";
 import { DYADS, TOOLS } from "assur/drawing/tools.js";
 import { Seen } from "assur/core/seen.js";
+
+/** Distance of the buttons in the corner from the edge of the drawing, in pixels. */
+const CORNER = 10;
+
+/** Tools that are always in sight. */
+const MAIN = Object.freeze(["select", "bars", "slide", "fix", "drive"]);
+
+/** Picture of the menu, while no tool of the menu is in use. */
+const DOTS = "M6 12h.01M12 12h.01M18 12h.01";
 
 export class Palette {
   #page;
@@ -16,7 +26,9 @@ export class Palette {
   #teeth = [0, 1].map((k) => numberField({ id: `draw-teeth-${k + 1}`, inputmode: "numeric", "data-t-label": "draw.teeth", "data-t-title": "draw.teeth", "data-n": String(k + 1) }));
   #internal = make("input", { id: "draw-internal", type: "checkbox" });
   #wheels;
-  #row;
+  #menu;
+  #more;
+  #corner = byId("zoom-in", HTMLButtonElement);
   #shown = new Seen();
 
   /**
@@ -26,19 +38,15 @@ export class Palette {
   constructor(page, work) {
     this.#page = page;
     this.#work = work;
-    const buttons = TOOLS.map(({ name, icon, key }) => {
-      const svg = makeSvg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, [makeSvg("path", { d: icon })]);
-      const button = make("button", {
-        id: `draw-${name}`, class: "control", type: "button", "aria-pressed": "false", "aria-keyshortcuts": `Alt+${key}`,
-        "data-t-label": `draw.tool.${name}`, "data-t-title": `draw.tool.${name}`,
-      }, [svg]);
-      button.addEventListener("click", () => {
-        this.take(name);
-        page.redraw();
-      });
-      this.#buttons.set(name, button);
-      return button;
-    });
+    const [main, more] = [true, false].map((isMain) => TOOLS.filter(({ name }) => MAIN.includes(name) === isMain).map((tool) => this.#button(tool, isMain)));
+    this.#menu = make("div", { id: "draw-menu", class: "draw-menu", role: "group", "data-t-label": "draw.more", hidden: "" }, more);
+    this.#more = make("button", { id: "draw-more", class: "control", type: "button", "aria-pressed": "false", "aria-expanded": "false", "aria-controls": "draw-menu", onclick: () => this.#open(this.#menu.hidden !== false) }, [
+      picture(DOTS), make("span", { "data-t": "draw.more" }),
+    ]);
+    // A press elsewhere closes the menu.
+    addEventListener("pointerdown", ({ target }) => {
+      if (target instanceof Node && !this.#menu.contains(target) && !this.#more.contains(target)) this.fold();
+    }, true);
     this.#dyads.addEventListener("change", () => {
       work.dyad = this.#dyads.value;
       work.rest();
@@ -61,18 +69,50 @@ export class Palette {
       make("label", { class: "check" }, [this.#internal, " ", make("span", { "data-t": "draw.internal" })]),
     ]);
     this.pictures = new PictureOptions(page, work.picture);
-    this.#row = make("div", { class: "draw-buttons", role: "toolbar", "data-t-label": "draw.tools" }, buttons);
     this.element = make("div", { id: "draw-tools", class: "draw-tools" }, [
-      this.#row,
+      make("div", { class: "draw-bar" }, [make("div", { class: "draw-buttons", role: "toolbar", "data-t-label": "draw.tools" }, [...main, this.#more]), this.#menu]),
       make("div", { class: "draw-options" }, [this.#dyads, this.#wheels, this.pictures.element, this.#prompt]),
     ]);
     byId("mechanism", HTMLCanvasElement).after(this.element);
     page.words.fill(this.element);
   }
 
-  /** Height of the part at the top of the drawing that the buttons cover, in pixels. */
-  get height() {
-    return this.#row.offsetTop + this.#row.offsetHeight;
+  /** @returns {import("assur/stage/view.js").Insets} what tools and prompt cover at the top, and the buttons in the corner at the bottom */
+  get insets() {
+    const { offsetTop, offsetHeight } = this.element;
+    if (offsetHeight === 0) return { top: 0, bottom: 0 };
+    const corner = this.#corner.offsetHeight > 0 ? this.#corner.offsetHeight + CORNER : 0;
+    return { top: offsetTop + offsetHeight, bottom: corner };
+  }
+
+  /**
+   * @param {import("assur/drawing/tools.js").Tool} tool
+   * @param {boolean} isMain whether it has the short name of a tool that is always in sight
+   */
+  #button({ name, icon, key }, isMain) {
+    const button = make("button", {
+      id: `draw-${name}`, class: "control", type: "button", "aria-pressed": "false", "aria-keyshortcuts": `Alt+${key}`, "data-t-title": `draw.tool.${name}`,
+    }, [picture(icon), make("span", { "data-t": `draw.${isMain ? "short" : "tool"}.${name}` })]);
+    button.addEventListener("click", () => {
+      this.take(name);
+      if (this.fold()) this.#more.focus();
+      this.#page.redraw();
+    });
+    this.#buttons.set(name, button);
+    return button;
+  }
+
+  /** @param {boolean} open whether the menu is to be open */
+  #open(open) {
+    this.#menu.hidden = !open;
+    this.#more.setAttribute("aria-expanded", String(open));
+  }
+
+  /** @returns {boolean} whether the menu was open, and is closed now */
+  fold() {
+    const open = !this.#menu.hidden;
+    this.#open(false);
+    return open;
   }
 
   /** @param {string} name of the tool to use */
@@ -98,10 +138,21 @@ export class Palette {
     this.pictures.render(tool === "picture", words);
     if (this.#shown.same(words, tool, stage, dyad, state.document)) return;
     for (const [name, button] of this.#buttons) button.setAttribute("aria-pressed", String(name === tool));
+    // The menu shows its tool that is in use.
+    const inMenu = TOOLS.find(({ name }) => name === tool && !MAIN.includes(name));
+    this.#more.setAttribute("aria-pressed", String(inMenu !== undefined));
+    // On a narrow page there is room for its icon only.
+    const texts = inMenu ? [make("span", { class: "draw-wide" }, [words.text(`draw.tool.${inMenu.name}`)]), make("span", { class: "draw-narrow" }, [words.text("draw.more")])] : [make("span", {}, [words.text("draw.more")])];
+    this.#more.replaceChildren(picture(inMenu?.icon ?? DOTS), ...texts);
     this.#dyads.hidden = tool !== "dyad";
     this.#wheels.hidden = tool !== "mesh";
     const prompts = TOOLS.find(({ name }) => name === tool)?.prompts ?? [];
     const prompt = tool === "dyad" ? prompts.find((name) => name.endsWith(dyad[2 * pressed.length])) : prompts[stage];
     write(this.#prompt, prompt ? words.text(`draw.prompt.${prompt}`) : "");
   }
+}
+
+/** @param {string} d */
+function picture(d) {
+  return makeSvg("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, [makeSvg("path", { d })]);
 }

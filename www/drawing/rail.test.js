@@ -26,7 +26,7 @@ function begin(view = {}) {
   return { page, type };
 }
 
-test("the panel of an empty sheet says that nothing is drawn, that of a bar that it has no driver", () => {
+test("the panel of an empty sheet invites to draw, that of a bar that it has no driver", () => {
   const page = new Page("crank-rocker");
   const rail = new DrawingRail(page, { points: new Set(), links: new Set() }, { remove() {}, duplicate() {}, mirror() {} });
   const section = globalThis.document.getElementById("rail").children.at(0);
@@ -37,7 +37,7 @@ test("the panel of an empty sheet says that nothing is drawn, that of a bar that
     const reasons = section.all.find(({ attributes }) => attributes.id === "draw-reasons");
     return reasons.children.map(({ textContent }) => textContent);
   };
-  assert.deepEqual(told(), ["No links are drawn yet."]);
+  assert.deepEqual(told(), ["Click two places to draw a link. The first is a fixed pivot, and links go on from place to place."]);
   page.store.update((state) => withDocument(state, { points: [{ name: "A", at: [0, 0] }, { name: "B", at: [1, 0] }], frame: ["A"], links: [{ name: "AB", points: ["A", "B"] }] }));
   const [reason, ...more] = told();
   assert.ok(reason.startsWith("No driver is given") && more.length === 0, [reason, ...more].join());

@@ -11,6 +11,8 @@ import { BackPicture } from "assur/drawing/picture.js";
  * wheel; an internal gear is hit only at its rim
  * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: key that
  * chooses the tool, together with Alt. `prompts`: names of the prompts in order; for a dyad, by kind of pair
+ * @typedef {{ pressed: Target[], loose: boolean }} Chain where bars go on. `loose`: whether the last bar ends at a new
+ * point that is neither on another link nor on the frame
  */
 
 /** Greatest slope, to the horizontal or the vertical, of a line that is made exactly horizontal or vertical. */
@@ -51,8 +53,11 @@ export class Work {
   picture;
   /** @type {Target[]} presses not yet used */
   pressed = [];
-  /** Whether the last bar ends at a new point that is neither on another link nor on the frame. */
   #loose = false;
+  /** @type {WeakMap<object, Chain>} chains by the drawings after their presses: undo and redo lead back to them */
+  #chains = new WeakMap();
+  /** The drawing of which `pressed` is known to be true. */
+  #known = {};
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -72,16 +77,41 @@ export class Work {
     return this.picture.there ? 1 + (this.picture.marks.length % 2) : 0;
   }
 
-  /** Forgets the presses not yet used. */
+  /** Forgets the presses not yet used, and all chains. */
   rest() {
-    this.pressed = [];
-    this.#loose = false;
+    this.#chains = new WeakMap();
+    this.#end();
   }
 
   /** @param {Target} target pressed target */
   press(target) {
     const act = ACTS[this.tool];
     if (act) act(this, target);
+    this.#known = this.#document;
+    if (this.tool === "bars") this.#chains.set(this.#document, { pressed: this.pressed, loose: this.#loose });
+  }
+
+  /**
+   * Follows the drawing where something else has changed it: after undo and redo, bars go on from the last point that
+   * the drawing then has. Presses on points that are gone are forgotten.
+   */
+  follow() {
+    const document = this.#document;
+    if (document === this.#known) return;
+    this.#known = document;
+    const chain = this.#chains.get(document);
+    const names = new Set(document.points.map(({ name }) => name));
+    if (chain) [this.pressed, this.#loose] = [chain.pressed, chain.loose];
+    else if (this.pressed.some(({ point }) => point !== null && !names.has(point))) this.#end();
+  }
+
+  #end() {
+    this.pressed = [];
+    this.#loose = false;
+  }
+
+  get #document() {
+    return /** @type {import("assur/state/state.js").LinkageDocument} */ (this.#page.store.get().document);
   }
 
   /**
@@ -104,8 +134,7 @@ export class Work {
    */
   guided(target) {
     if (target.point || !target.link) return target;
-    const { links } = /** @type {import("assur/state/state.js").LinkageDocument} */ (this.#page.store.get().document);
-    const first = links.find(({ name }) => name === target.link)?.points[0];
+    const first = this.#document.links.find(({ name }) => name === target.link)?.points[0];
     const joint = this.#page.mechanism.joints().find(({ name }) => name === first);
     return joint ? { ...target, at: [joint.x, joint.y] } : target;
   }
@@ -137,7 +166,7 @@ export class Work {
     }
     if (target.point === from.point && from.point) {
       if (this.#loose) this.do({ edit: "fix", point: from.point });
-      this.rest();
+      this.#end();
       return;
     }
     const made = this.do({ edit: "bar", ends: [end(from), end(target)] });
@@ -197,9 +226,9 @@ const ACTS = Object.freeze({
   },
   triad: (work, target) => {
     const three = work.gather(target, 3);
-    if (three) work.do({ edit: "triad", ends: /** @type {[End, End, End]} */ (three.map(end)) });
+    if (three) work.do({ edit: "triad", ends: /** @type {[End, End, End]} */ (three.map(pivot)) });
   },
-  wheel: (work, target) => work.do({ edit: "wheel", end: end(target) }),
+  wheel: (work, target) => work.do({ edit: "wheel", end: pivot(target) }),
   mesh: (work, pressed) => {
     const target = { ...pressed, link: pressed.wheel ?? pressed.link };
     if (!target.link) work.refuse("press_link");
@@ -235,12 +264,21 @@ function end({ point, link, at }) {
 }
 
 /**
+ * An outer joint of a new part: on the paper it is fixed to the frame.
+ * @param {Target} target
+ * @returns {End}
+ */
+function pivot(target) {
+  return target.point || target.link ? end(target) : { fixed: [...target.at] };
+}
+
+/**
  * @param {string} letter of the pair: R or P
  * @param {Target} target
  * @returns {Outer}
  */
 function outerPair(letter, target) {
-  if (letter === "R") return { hinge: end(target) };
+  if (letter === "R") return { hinge: pivot(target) };
   return target.link ? { slide: [target.link, [...target.at]] } : { level: [...target.at] };
 }
 

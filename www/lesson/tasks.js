@@ -126,7 +126,7 @@ export function answerOf(lesson, index, name, engine) {
  * @returns {number | null} the quantity's value in the reader's unit, null if there is none
  */
 export function valueOf(quantity, { summary, inputShown, readouts }) {
-  if (quantity === W) return "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
+  if (quantity === W) return summary.moves !== null && "counts" in summary && "lower" in summary.counts ? summary.counts.mobility : null;
   if (quantity === "input") return summary.moves === null ? null : inputShown;
   const [name, property] = quantity.split(":");
   if (property !== undefined) return propertyOf(name, property, summary);

@@ -1,6 +1,7 @@
 // Pointer input on the drawing: dragging joints and traced points, panning by the empty paper, zooming with the wheel or two fingers.
 import { byId, setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
+import { HandWord } from "assur/stage/hand-word.js";
 import { inputNow, take } from "assur/state/change.js";
 import { TRACERS, withView } from "assur/state/state.js";
 
@@ -49,6 +50,7 @@ export class MechanismPointer {
   #tracing = false;
   #draw = byId("draw", HTMLButtonElement);
   #trace = byId("trace", HTMLButtonElement);
+  #word;
   /** @type {PointerTool | null} the tool that receives the pointer's actions instead of the joints */
   #tool = null;
   /** @type {{ from: Pixel, still: boolean, drag: Drag | null } | null} the current press or drag of the tool */
@@ -61,6 +63,7 @@ export class MechanismPointer {
   constructor(canvas, page) {
     const { mechanism: view, engine, store, model } = page;
     this.#page = page;
+    this.#word = new HandWord(page);
     this.#canvas = canvas;
     this.#view = view;
     this.#engine = engine;
@@ -72,6 +75,7 @@ export class MechanismPointer {
     canvas.addEventListener("pointercancel", (event) => this.#up(event));
     canvas.addEventListener("pointerleave", () => {
       this.#show(this.#taken?.name ?? "");
+      if (!this.#taken) this.#word.hide();
       this.#tool?.leave();
     });
     canvas.addEventListener("dblclick", () => this.#tool ?? view.fit());
@@ -99,6 +103,7 @@ export class MechanismPointer {
   setTool(tool) {
     this.#tool = tool;
     this.#work = null;
+    this.#word.hide();
     setData(this.#canvas, "lent", String(tool !== null));
   }
 
@@ -136,6 +141,7 @@ export class MechanismPointer {
     this.#taken = { name: joint.name, pressed: joint.pressed, dx: left - at.x, dy: top - at.y, from: at };
     this.#view.hold();
     this.#show(joint.name);
+    this.#word.show(joint, at, event.pointerType === "touch");
     // Taking hold of a joint stops the motion.
     this.#store.update((state) => withView(state, { playing: false }));
   }
@@ -149,7 +155,7 @@ export class MechanismPointer {
       return;
     }
     if (!from) {
-      if (event.pointerType !== "touch") this.#show(this.#near(at, event.pointerType)?.name ?? "");
+      if (event.pointerType !== "touch") this.#hover(at, event.pointerType);
       return;
     }
     this.#pointers.set(event.pointerId, at);
@@ -159,7 +165,10 @@ export class MechanismPointer {
     }
     if (this.#taken?.pressed) this.#taken.pressed = Math.hypot(at.x - this.#taken.from.x, at.y - this.#taken.from.y) <= STILL;
     if (this.#taken?.pressed) return;
-    if (this.#taken) this.#drag(this.#taken, at);
+    if (this.#taken) {
+      this.#drag(this.#taken, at);
+      this.#word.move(at, event.pointerType === "touch");
+    }
     else if (this.#pointers.size === 2) this.#pinch(event.pointerId, from, at);
     else if (this.#pointers.size === 1) this.#pan(event.pointerType, from, at);
   }
@@ -178,6 +187,18 @@ export class MechanismPointer {
     if (this.#taken?.pressed && event.type === "pointerup") this.#press(this.#taken.name);
     this.#drop();
     this.#show("");
+    this.#word.hide();
+  }
+
+  /**
+   * @param {Pixel} at
+   * @param {string} pointer
+   */
+  #hover(at, pointer) {
+    const joint = this.#near(at, pointer);
+    this.#show(joint?.name ?? "");
+    if (joint) this.#word.show(joint, at, false);
+    else this.#word.hide();
   }
 
   /**

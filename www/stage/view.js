@@ -12,6 +12,7 @@ import { Backdrop } from "assur/stage/paper.js";
  * @typedef {readonly [number, number, number, number]} Edges left, bottom, right and top of a part of the canvas, in pixels
  * @typedef {{ name: string, role: string, pressed: boolean, x: number, y: number }} Joint handle of a joint or a traced point, in model coordinates; `pressed`: whether
  * a press without a drag has an effect
+ * @typedef {Readonly<{ top: number, bottom: number }>} Insets heights of the strips at the edges of the canvas that tools cover, in pixels
  * @typedef {(context: CanvasRenderingContext2D, view: Transform, theme: Theme) => void} Laid paints over or under the mechanism
  */
 
@@ -51,7 +52,8 @@ export class MechanismView {
   #replaced = false;
   /** Size of the canvas for which the view is kept. */
   #keptSize = "";
-  #inset = 0;
+  /** @type {() => Insets} */
+  #insets = () => ({ top: 0, bottom: 0 });
   /** @type {string} the joint with a ring around it */
   #ringed = "";
   /** @type {Laid[]} */
@@ -232,12 +234,12 @@ export class MechanismView {
 
   /**
    * @param {boolean} on whether the view is kept while the reader draws
-   * @param {number} inset height of the tools at the top of the canvas, in pixels
+   * @param {() => Insets} insets
    */
-  keep(on, inset) {
+  keep(on, insets) {
     if (on === this.#kept) return;
     this.#kept = on;
-    this.#inset = inset;
+    this.#insets = insets;
     this.#held = null;
     if (!on) this.release();
   }
@@ -287,7 +289,10 @@ export class MechanismView {
   /** @returns {Transform} */
   #fit() {
     const { width, height } = this.#surface;
-    return Transform.fit(this.#bounds ?? this.#fullBounds, width, height - this.#inset, this.#margin).moved(0, this.#inset);
+    const { top, bottom } = this.#insets();
+    // On a low canvas the drawing keeps half of it, if need be under the tools.
+    const share = Math.min(1, height / 2 / Math.max(top + bottom, 1));
+    return Transform.fit(this.#bounds ?? this.#fullBounds, width, height - share * (top + bottom), this.#margin).moved(0, share * top);
   }
 
   /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; a mechanism without joints counts only if nothing is painted */

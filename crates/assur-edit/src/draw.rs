@@ -40,11 +40,12 @@ impl Drawing {
     pub(crate) fn apply(&mut self, edit: &Edit) -> Done {
         match edit {
             Edit::Point { at, fixed } => {
-                let point = self.put(*at);
-                if *fixed {
-                    self.document.frame.push(point);
-                }
-                Ok(())
+                let end = if *fixed {
+                    End::Fixed(*at)
+                } else {
+                    End::At(*at)
+                };
+                self.end(&end).map(drop)
             }
             Edit::Bar { ends: [from, to] } => {
                 let ends = [self.end(from)?, self.end(to)?];
@@ -167,6 +168,11 @@ impl Drawing {
                 Ok(name.clone())
             }
             End::At(at) => Ok(self.put(*at)),
+            End::Fixed(at) => {
+                let point = self.put(*at);
+                self.document.frame.push(point.clone());
+                Ok(point)
+            }
             End::On(link, at) => {
                 self.linked(link)?;
                 let point = self.put(*at);

@@ -88,6 +88,8 @@ pub enum End {
     Point(String),
     /// A new point.
     At([f64; 2]),
+    /// A new point of the frame: a fixed pivot.
+    Fixed([f64; 2]),
     /// A new point of an existing link.
     On(String, [f64; 2]),
 }

@@ -5,7 +5,9 @@ mod outputs;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use assur::mechanism::{FRAME, LinkOrFrame, Mechanism, PointId, Quantity, RrpDyad, RrrDyad};
+use assur::mechanism::{
+    Counts, FRAME, LinkOrFrame, Mechanism, PointId, Quantity, RrpDyad, RrrDyad,
+};
 use assur::motion::{OutputProfile, TooManyTurns};
 use assur::structure::roman;
 use assur::{Cycle, Swing};
@@ -86,6 +88,19 @@ pub(crate) struct CountsSummary {
     higher: usize,
     mobility: isize,
     by_count: isize,
+}
+
+/// Counts of a drawing, of which the rank is not known.
+impl From<Counts> for CountsSummary {
+    fn from(counts: Counts) -> Self {
+        Self {
+            links: counts.links,
+            lower: counts.lower_pairs,
+            higher: counts.higher_pairs,
+            mobility: counts.mobility,
+            by_count: counts.mobility,
+        }
+    }
 }
 
 /// Range of the input, and its arcs. `full`: a crank turns fully, or time goes on without end.

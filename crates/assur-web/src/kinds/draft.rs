@@ -13,7 +13,7 @@ use crate::capabilities::{Capabilities, Edited, LinkHere, Rigid, unknown};
 use crate::change::Change;
 use crate::convert::to_js;
 use crate::here::Here;
-use crate::summary::HandleSummary;
+use crate::summary::{CountsSummary, HandleSummary};
 
 /// A drawing, with advice on its motion.
 pub(crate) struct Drawing {
@@ -35,6 +35,8 @@ pub(crate) struct DraftSummary<'a> {
     roles: BTreeMap<&'a str, &'static str>,
     /// Mobility W by count; none if the drawing could move, or refers to a part that does not exist.
     mobility: Option<isize>,
+    /// Numbers of links and pairs; none if a defect of the drawing prevents counting.
+    counts: Option<CountsSummary>,
     drivers: usize,
     /// Every reason why the drawing does not move.
     #[cfg_attr(test, ts(type = "readonly Problem[]"))]
@@ -107,6 +109,7 @@ impl Capabilities for Drawing {
                 .map(|(link, role)| (link.name.as_str(), role.name()))
                 .collect(),
             mobility: advice.and_then(|advice| advice.mobility),
+            counts: document.spec().counts().ok().map(CountsSummary::from),
             drivers: document.drivers.len(),
             reasons: advice.map_or(&[], |advice| &advice.problems),
             loose: advice.map_or(&[], |advice| &advice.loose),
