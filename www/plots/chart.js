@@ -28,8 +28,10 @@ export class ChartView {
   panels = [];
   /** @type {import("assur/types/web.js").AgainstLayout | null} plot of one quantity against another, instead of the panels */
   against = null;
-  /** @type {readonly (readonly Box[])[]} boxes of the labels of each panel */
+  /** @type {readonly (readonly import("assur/plots/marks.js").Label[])[]} labels of each panel */
   labels = [];
+  /** @type {readonly Box[]} boxes of the titles of the panels */
+  titles = [];
   /** @type {Overlay | null} */
   #overlay = null;
   #failed;
@@ -67,7 +69,7 @@ export class ChartView {
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
     const { drawn, ...layout } = this.#paint(this.#surface, snapshot, this.#theme, false);
-    ({ panels: this.panels, against: this.against, labels: this.labels } = layout);
+    ({ panels: this.panels, against: this.against, labels: this.labels, titles: this.titles } = layout);
     if (this.#drawable && !drawn) this.#failed();
     this.#drawable = drawn;
     this.redrawn();
@@ -110,8 +112,9 @@ export class ChartView {
     const { panels, against } = value ?? { panels: [], against: null };
     const covered = this.#overlay?.(context, panels, snapshot, this.#engine, theme) ?? [];
     const titles = drawChartText(context, panels, snapshot, theme);
-    const labels = panels.map((panel, i) => drawMarks(context, panel, [titles[i], ...(covered[i] ? [covered[i]] : [])], snapshot, theme));
+    const by = { cursor: !fullDetail };
+    const labels = panels.map((panel, i) => drawMarks(context, panel, [...titles, ...(covered[i] ? [covered[i]] : [])], snapshot, theme, by));
     if (against) drawAgainstText(context, against, snapshot, theme);
-    return { panels, against, labels, drawn: value !== null };
+    return { panels, against, labels, titles, drawn: value !== null };
   }
 }

@@ -1,17 +1,19 @@
 // The cursor over the plots: a line at the input, with a dot and a number on each curve. Hovering adds a dashed cursor.
+import { isFree } from "assur/canvas/boxes.js";
 import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { readoutOf } from "assur/core/symbols.js";
 import { drawAgainstCursor } from "assur/plots/against.js";
+import { textAtCursor } from "assur/plots/marks.js";
 import { across, down, shows } from "assur/plots/panel.js";
 import { paintTag, placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { axisValueText } from "assur/plots/units.js";
 
 /**
- * @typedef {import("assur/canvas/boxes.js").Box} Box
+ * @typedef {import("assur/plots/marks.js").Label} Label
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
@@ -24,6 +26,7 @@ const TAG = 17;
 const GHOST = [4, 4];
 /** @type {number[]} dashes of the first cursor's line: none */
 const SOLID = [];
+const FIRST = Object.freeze({ dashes: SOLID, named: false });
 
 export class ChartCursor {
   #surface;
@@ -38,7 +41,7 @@ export class ChartCursor {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {import("assur/canvas/theme.js").Theme} theme
-   * @param {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null, readonly labels: readonly (readonly Box[])[] }} chart
+   * @param {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null, readonly labels: readonly (readonly Label[])[] }} chart
    * @param {import("assur/engine.js").Engine} engine
    */
   constructor(canvas, theme, chart, engine) {
@@ -77,9 +80,8 @@ export class ChartCursor {
     // While a pointer hovers, only the second cursor has numbers: two sets of numbers would overlap.
     const { input } = snapshot;
     panels.forEach((panel, i) => this.#panel(panel, snapshot, input, snapshot.plotted, hovered === null ? labels[i] : null));
-    if (hovered === null || panels.length === 0) return;
-    panels.forEach((panel, i) => this.#panel(panel, snapshot, hovered, ghost, labels[i], GHOST));
-    this.#angle(panels[0], hovered, snapshot);
+    if (hovered === null) return;
+    panels.forEach((panel, i) => this.#panel(panel, snapshot, hovered, ghost, labels[i], { dashes: GHOST, named: i === 0 }));
   }
 
   get #dot() {
@@ -91,30 +93,14 @@ export class ChartCursor {
   }
 
   /**
-   * Paints the input of the second cursor above the topmost plot.
-   * @param {Panel} panel
-   * @param {number} input
-   * @param {Snapshot} snapshot
-   */
-  #angle(panel, input, { coordinate, words }) {
-    const { context } = this.#surface;
-    const text = coordinate.text(input, words, 1);
-    const font = setChartFont(context, this.#theme);
-    const width = textWidth(context, font, text) + 10;
-    const middle = across(panel, input);
-    const left = Math.min(Math.max(middle - width / 2, panel.left), panel.left + panel.width + 8 - width);
-    this.#tag(left, panel.top - this.#tall - 1, width, { y: 0, text, colour: this.#theme.colours.ink, ink: this.#theme.colours.ink });
-  }
-
-  /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {number} input
    * @param {Float64Array | null} values of the plotted quantities
-   * @param {readonly Box[] | null} labels labels that the written values avoid; null to write no values
-   * @param {number[]} dashes of the line
+   * @param {readonly Label[] | null} labels labels that the written values avoid; null to write no values
+   * @param {{ dashes: number[], named: boolean }} [line] `named`: whether the input is written, too, at the top of the line
    */
-  #panel(panel, snapshot, input, values, labels, dashes = SOLID) {
+  #panel(panel, snapshot, input, values, labels, { dashes, named } = FIRST) {
     const { context } = this.#surface;
     const { colours, weight } = this.#theme;
     const x = across(panel, input);
@@ -127,8 +113,7 @@ export class ChartCursor {
     context.setLineDash(dashes);
     context.stroke();
     context.setLineDash(SOLID);
-    const dots = this.#dots(panel, snapshot, values);
-    if (dots.length === 0) return;
+    const dots = this.#dots(panel, snapshot, values, x, labels);
     context.lineWidth = 2 * weight;
     for (const { y, colour } of dots) {
       context.beginPath();
@@ -138,22 +123,29 @@ export class ChartCursor {
       context.strokeStyle = colour;
       context.stroke();
     }
-    if (labels) this.#tags(panel, x, dots, labels);
+    const { ink } = colours;
+    const top = named ? [{ y: panel.top + this.#tall / 2, text: snapshot.coordinate.text(input, snapshot.words, 1), colour: ink, ink }] : [];
+    if (labels && dots.length + top.length > 0) this.#tags(panel, x, [...top, ...dots], labels);
   }
 
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {Float64Array | null} values of the plotted quantities
+   * @param {number} x place of the cursor
+   * @param {readonly Label[] | null} labels
    * @returns {Dot[]} dots in order from top to bottom
    */
-  #dots(panel, { state, words, withheld }, values) {
+  #dots(panel, snapshot, values, x, labels) {
+    const { state: { view: { playing } }, words, withheld } = snapshot;
     if (!values) return [];
+    // In motion the numbers would jump at every mark.
+    const marked = (/** @type {string} */ role) => (labels && (!playing || this.#hovered !== null) ? textAtCursor(panel, role, x, labels, snapshot) : null);
     const dots = [];
     for (const [i, { name, role }] of panel.series.entries()) {
       const value = values[3 * i + panel.order];
       if (!shows(panel, value)) continue;
-      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
+      const text = withheld.has(readoutOf(name, panel.order)) ? "?" : marked(role) ?? axisValueText(panel, value, words.numbers, playing);
       dots.push({ y: down(panel, value), text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] });
     }
     return dots.sort((a, b) => a.y - b.y);
@@ -163,7 +155,7 @@ export class ChartCursor {
    * @param {Panel} panel
    * @param {number} x
    * @param {readonly Dot[]} dots
-   * @param {readonly Box[]} labels
+   * @param {readonly Label[]} labels
    */
   #tags(panel, x, dots, labels) {
     const { context } = this.#surface;
@@ -173,7 +165,8 @@ export class ChartCursor {
     const room = { left, top, right: left + width + 7, bottom: top + height };
     const middles = dots.map(({ y }) => y);
     const tags = placedTags({ middles, widths, tall: this.#tall, x, off: this.#dot + 5, room, labels });
-    dots.forEach((dot, i) => this.#tag(tags[i].left, tags[i].top, widths[i], dot));
+    // A number without room beside the labels is left out: the table has it.
+    dots.forEach((dot, i) => isFree(tags[i], labels) && this.#tag(tags[i].left, tags[i].top, widths[i], dot));
   }
 
   /**
