@@ -4,7 +4,7 @@ import { byId, make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { derived } from "assur/core/units.js";
 import { subscript } from "assur/core/symbols.js";
-import { PairChoice } from "assur/plots/pairs.js";
+import { PairChoice, pointsOfFrame } from "assur/plots/pairs.js";
 import { whose } from "assur/plots/readouts.js";
 import { withView } from "assur/state/state.js";
 
@@ -36,6 +36,7 @@ export class PlotBar {
   #points = [];
   #overviews = "";
   #measures = "";
+  #frame = "";
   #joints = "";
   /** @type {readonly unknown[]} values shown last */
   #shown = [];
@@ -70,11 +71,12 @@ export class PlotBar {
     const transmissions = "transmissions" in summary ? summary.transmissions : NONE;
     const { plot, against, measures, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine.names;
+    const frame = pointsOfFrame(snapshot.state).join();
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
     const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, joints(transmissions), against, measures.join(), summary, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
-    const anew = words !== this.#shown[7] || points !== this.#points || joints(transmissions) !== this.#joints;
+    const anew = words !== this.#shown[7] || frame !== this.#frame || points !== this.#points || joints(transmissions) !== this.#joints;
     if (anew || measures.join() !== this.#measures || overviews.join() !== this.#overviews) this.#offer(snapshot, points, transmissions);
     if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
     this.#shown = shown;
@@ -129,6 +131,7 @@ export class PlotBar {
   #offer(snapshot, points, transmissions) {
     const { summary: { overviews }, state: { view: { measures } }, words } = snapshot;
     this.#measures = measures.join();
+    this.#frame = pointsOfFrame(snapshot.state).join();
     this.#joints = joints(transmissions);
     this.#points = points;
     this.#overviews = overviews.join();

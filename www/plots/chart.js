@@ -4,7 +4,7 @@ import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { drawAgainstText } from "assur/plots/against.js";
 import { drawMarks } from "assur/plots/marks.js";
-import { drawChartText } from "assur/plots/text.js";
+import { drawChartText, drawTitleSign } from "assur/plots/text.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -111,7 +111,10 @@ export class ChartView {
     const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole: fullDetail, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };
     const covered = this.#overlay?.(context, panels, snapshot, this.#engine, theme) ?? [];
-    const titles = drawChartText(context, panels, snapshot, theme);
+    const written = drawChartText(context, panels, snapshot, theme);
+    // On paper a press does nothing.
+    const sign = { alone: only !== "all", end: width };
+    const titles = fullDetail ? written : written.map((title) => drawTitleSign(context, title, theme, sign));
     const by = { cursor: !fullDetail };
     const labels = panels.map((panel, i) => drawMarks(context, panel, [...titles, ...(covered[i] ? [covered[i]] : [])], snapshot, theme, by));
     if (against) drawAgainstText(context, against, snapshot, theme);

@@ -9,6 +9,7 @@ import { drawMarks } from "assur/plots/marks.js";
 import { ChartView } from "assur/plots/chart.js";
 import { Refusal } from "assur/core/problem.js";
 import { across, angleAt, down, shows } from "assur/plots/panel.js";
+import { pointsOfFrame } from "assur/plots/pairs.js";
 import { drawChartText } from "assur/plots/text.js";
 import { axisValueText, power, unitOf } from "assur/plots/units.js";
 import { quantityText } from "assur/plots/values.js";
@@ -220,6 +221,12 @@ test("any two quantities are plotted against each other, by axes with names and 
   const train = begin("train-gears", { against: { x: "carrier.angle", y: "carrier.dangle" } }).draw();
   has(train.texts, "↑ ω₃, rad/s");
   assert.ok(train.texts.includes("φ₃, ° →"), String(train.texts));
+});
+
+test("points of the frame have neither path nor hodograph to choose", () => {
+  const { page } = begin("whitworth");
+  assert.deepEqual(pointsOfFrame(page.store.get()), ["A", "D", "G"]);
+  assert.deepEqual(pointsOfFrame(new Page("mixer-a").store.get()), []);
 });
 
 test("a press on a curve is the input of its place, next to the motion where it passes twice", () => {

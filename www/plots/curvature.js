@@ -18,6 +18,9 @@ import { quantityText } from "assur/plots/values.js";
 const ORDERS = Object.freeze([0, 1, 2]);
 const NONE = "—";
 
+/** Letter of the end of the diameter in the drawing. */
+const INFLECTION_POLE = "J";
+
 /** @type {Here} */
 const NOTHING = Object.freeze({ circles: [], inflection: null });
 
@@ -52,21 +55,23 @@ export class Curvature {
  * @returns {readonly HTMLElement[]} rows of the table, each in the colour of its circle in the drawing
  */
 function rows({ circles, inflection }, words) {
-  const title = (/** @type {string} */ letter, /** @type {string} */ text) => [make("b", {}, [letter]), " ", make("span", {}, [text])];
+  // The subscript tells the centres of several paths apart, and the letters from those of hinges.
+  const title = (/** @type {string} */ letter, /** @type {string} */ low, /** @type {string} */ text) =>
+    [make("b", {}, [letter, make("sub", {}, [low])]), " ", make("span", {}, [text])];
   const said = circles.flatMap(({ point, radius, centre, reason }) => {
     const of = subscript(point);
-    const own = title("R", words.text("curvature.radius", { of }));
+    const own = title("R", of, words.text("curvature.radius"));
     if (!radius || !centre) return [row("accent1", false, own, [why(`out-${point}.radius`, reason, words)])];
     const values = ORDERS.map((order) => cell(`out-${readoutOf(`${point}.radius`, order)}`, radius[order], order, words));
     const centreCell = make("td", { id: `out-${point}.centre`, colspan: "3", "data-x": String(centre[0]), "data-y": String(centre[1]) });
     centreCell.append(`(${centre.map((way) => quantityText(way, "x", 0, words).text).join("; ")})`);
-    return [row("accent1", false, own, values), row("accent1", false, title("K", words.text("curvature.centre", { of })), [centreCell])];
+    return [row("accent1", false, own, values), row("accent1", false, title("K", of, words.text("curvature.centre")), [centreCell])];
   });
   if (!inflection) return said;
   const { link, diameter, reason } = inflection;
   const id = `out-${link}.inflection`;
   const cells = diameter === null ? [why(id, reason, words)] : [cell(id, diameter, 0, words), make("td"), make("td")];
-  return [...said, row("accent2", false, title("D", words.text("curvature.inflection", { of: called(link, words) })), cells)];
+  return [...said, row("accent2", false, title("D", INFLECTION_POLE, words.text("curvature.inflection", { of: called(link, words) })), cells)];
 }
 
 /**

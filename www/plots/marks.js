@@ -51,7 +51,7 @@ export function drawMarks(context, panel, occupied, snapshot, theme, { cursor = 
   context.lineJoin = "round";
   context.lineWidth = 3;
   context.strokeStyle = theme.colours.paper;
-  const points = [...panel.points, ...zeroLine(panel)];
+  const points = [...closer(panel.points), ...zeroLine(panel)];
   const taken = [...occupied, ...panel.marks.map((mark) => around(across(panel, mark.phi), down(panel, mark.value), 3 * theme.scale))];
   const labels = [];
   for (const mark of labelled(panel.marks)) {
@@ -93,6 +93,25 @@ function labelled(marks) {
 function markText({ kind, phi, value }, panel, { coordinate, words }) {
   const angle = coordinate.text(phi, words, 1);
   return kind === "zero" ? angle : words.text("plots.mark", { value: axisValueText(panel, value, words.numbers), angle });
+}
+
+/** Distance between points of a steep curve, and the greatest distance along the axis of two points that are neighbours, in pixels. */
+const CLOSE = 4;
+const NEIGHBOURS = 8;
+
+/**
+ * @param {readonly number[]} points of curves, x and y of each point
+ * @returns {number[]} the points with others between them where a steep curve has them far apart
+ */
+function closer(points) {
+  const all = points.slice(0, 2);
+  for (let i = 2; i < points.length; i += 2) {
+    const [dx, dy] = [points[i] - points[i - 2], points[i + 1] - points[i - 1]];
+    const steps = dx > 0 && dx <= NEIGHBOURS ? Math.ceil(Math.abs(dy) / CLOSE) : 1;
+    for (let k = 1; k < steps; k++) all.push(points[i - 2] + (dx * k) / steps, points[i - 1] + (dy * k) / steps);
+    all.push(points[i], points[i + 1]);
+  }
+  return all;
 }
 
 /** Greatest distance along the axis at which the cursor is at a mark, in pixels. */

@@ -16,7 +16,7 @@ const STROKES = Object.freeze(["", "′", "″"]);
 const NONE = "—";
 
 /** Heads of two further rows for each quantity if mechanism A is shown, too; B is the current mechanism. */
-const COMPARED_ROWS = Object.freeze(/** @type {const} */ ({ a: "A", difference: "B − A" }));
+const COMPARED_ROWS = Object.freeze(/** @type {const} */ ({ a: "Ⓐ", difference: "Ⓑ − Ⓐ" }));
 
 export class ReadoutTable {
   #table = byId("readouts", HTMLTableElement);

@@ -23,8 +23,8 @@ globalThis.ResizeObserver ??= class {
   }
 };
 
-function viewOf(width, height) {
-  const page = new Page("mixer-a");
+function viewOf(width, height, id = "mixer-a", look = {}) {
+  const page = new Page(id, look);
   const canvas = { clientWidth: width, clientHeight: height, dataset: {}, getContext: () => new Context() };
   const view = new MechanismView(canvas, page.engine, themeOf(page.engine.roles));
   view.render(page.now());
@@ -40,4 +40,24 @@ test("a picture shows the mechanism whole and large, whether the stage is seen o
       assert.ok(Math.max(size.width, size.height) > 400 && Math.min(size.width, size.height) > 150, `${width} × ${height}: ${JSON.stringify(size)}`);
     }
   }
+});
+
+test("all that is shown is brought into view: distant instant centres and circles with the mechanism", () => {
+  const [width, height] = [600, 400];
+  const look = { phi_deg: 140, instant_centres: true, curvature: true };
+  const view = viewOf(width, height, "crank-rocker", look);
+  const before = view.view.scale;
+  // P₀₂ is where the lines of crank and rocker meet: far below the frame, at this input.
+  const far = [Math.cos, Math.sin].map((of) => of((140 * Math.PI) / 180));
+  const along = (/** @type {number} */ t) => /** @type {const} */ ([t * far[0], t * far[1]]);
+  view.fitAll();
+  assert.ok(view.zoomed && view.view.scale < before);
+  const [left, top] = view.view.toScreen(...along(-14.2));
+  assert.ok(left > 0 && left < width && top > 0 && top < height, `${left} ${top}`);
+  view.fit();
+  assert.equal(view.view.scale, before);
+  // Without overlays it is the usual view.
+  const plain = viewOf(width, height, "crank-rocker", { phi_deg: 140 });
+  plain.fitAll();
+  assert.equal(plain.zoomed, false);
 });
