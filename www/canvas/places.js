@@ -32,6 +32,8 @@ export class Places {
   #moved = new Map();
   /** @type {Size} */
   #sheet = { width: 0, height: 0 };
+  /** @type {readonly Box[]} */
+  #lines = [];
   /** @type {readonly Point[]} points of all labels */
   #points = [];
 
@@ -39,9 +41,11 @@ export class Places {
    * Begins a new placement of all labels.
    * @param {Size} sheet size of the drawing; a label does not leave it if the label's point is inside
    * @param {readonly Point[]} [points] points of the labels
+   * @param {readonly Box[]} [lines] boxes along lines on which labels stand only for want of another place
    */
-  begin(sheet, points = []) {
+  begin(sheet, points = [], lines = []) {
     this.#taken = [];
+    this.#lines = lines;
     this.#points = points;
     this.#sheet = sheet;
   }
@@ -64,7 +68,8 @@ export class Places {
     const last = this.#moved.get(label) ?? 0;
     const back = last === 0 ? 0 : ROOM * height;
     const sides = [0, last, ...SIDES.keys()];
-    const side = sides.find((one, i) => free(one, i === 0 ? back : 0) && this.#isOwn(on(one), { x, y })) ?? sides.find((one, i) => free(one, i === 0 ? back : 0));
+    const good = (/** @type {number} */ one) => this.#isOwn(on(one), { x, y }) && isFree(boxOf(on(one), width, height), this.#lines);
+    const side = sides.find((one, i) => free(one, i === 0 ? back : 0) && good(one)) ?? sides.find((one, i) => free(one, i === 0 ? back : 0));
     if (side) this.#moved.set(label, side);
     else this.#moved.delete(label);
     const at = on(side ?? 0);

@@ -55,7 +55,7 @@ export class Curvature {
  * @returns {readonly HTMLElement[]} rows of the table, each in the colour of its circle in the drawing
  */
 function rows({ circles, inflection }, words) {
-  // The subscript tells the centres of several paths apart, and the letters from those of hinges.
+  // The subscript distinguishes the centres of several paths, and the letters from those of hinges.
   const title = (/** @type {string} */ letter, /** @type {string} */ low, /** @type {string} */ text) =>
     [make("b", {}, [letter, make("sub", {}, [low])]), " ", make("span", {}, [text])];
   const said = circles.flatMap(({ point, radius, centre, reason }) => {
