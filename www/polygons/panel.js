@@ -33,6 +33,7 @@ export class Polygons {
   #back = make("button", { type: "button", class: "control", id: "polygons-back", "data-t": "polygons.back", onclick: () => this.#go(-1) });
   #next = make("button", { type: "button", class: "control", id: "polygons-next", "data-t": "polygons.next", onclick: () => this.#go(1) });
   #all = make("button", { type: "button", class: "control", id: "polygons-all", "data-t": "polygons.all", onclick: () => this.#go(ALL) });
+  #oneScale = make("button", { type: "button", class: "control", id: "polygons-scale", "aria-pressed": "false", "data-t": "polygons.one_scale", onclick: () => this.#keepScale() });
   #step = make("p", { id: "polygon-step", role: "status" });
   #none = make("p", { id: "polygon-none", "data-t": "polygons.none" });
   #equations = make("ol", { id: "polygon-equations" });
@@ -56,7 +57,7 @@ export class Polygons {
       return { canvas, title, scale, surface, places: new Places() };
     });
     const figures = this.#sheets.map(({ canvas, title, scale }) => make("figure", { class: "polygon" }, [canvas, make("figcaption", {}, [title, scale])]));
-    const steps = make("div", { class: "polygon-steps", role: "group", "data-t-label": "polygons.steps" }, [this.#back, this.#next, this.#all, this.#step]);
+    const steps = make("div", { class: "polygon-steps", role: "group", "data-t-label": "polygons.steps" }, [this.#back, this.#next, this.#all, this.#oneScale, this.#step]);
     this.#drawn = make("div", {}, [steps, make("div", { class: "polygon-sheets" }, figures), this.#equations]);
     this.element = make("section", { id: "polygons-shown", "data-field": "polygons" }, [make("h2", { "data-t": "polygons.heading" }), this.#none, this.#drawn]);
     byId("readouts", HTMLTableElement).after(this.element);
@@ -110,7 +111,7 @@ export class Polygons {
     this.#sheets.forEach(({ canvas, title, scale }, order) => {
       const said = axisTitle(panels[order], coordinate, words);
       write(title, said);
-      const close = state.view.playing ? null : this.#closeUp(order);
+      const close = this.#closeUp(order);
       const { bar, smaller } = close ? { bar: close.bar, smaller: 1 } : pictures[order];
       const shown = `├─┤ ${amount(bar, order === 0 ? velocity : acceleration, words)}`;
       write(scale, smaller > 1 ? `${shown}, ${words.text("polygons.smaller", { n: words.numbers.exact(smaller) })}` : shown);
@@ -131,7 +132,7 @@ export class Polygons {
     if (!picture || !this.#snapshot || !surface.begin()) return;
     surface.clear();
     const { width, height } = surface;
-    const close = this.#snapshot.state.view.playing ? null : this.#closeUp(order);
+    const close = this.#closeUp(order);
     const layers = readDisplayList(Float32Array.from(close?.list ?? picture.list), 0, this.#page.engine.roles, picture.names, () => new Path2D());
     const view = close?.view ?? Transform.fit(picture.bounds, width, height, MARGIN);
     this.#painter.shapes(surface, layers, view, POSES);
@@ -139,8 +140,18 @@ export class Polygons {
     places.begin(surface, labelledPoints(layers, view, POSES), alongLines(layers, view));
     this.#painter.labels(surface, layers, view, POSES, subscript, places, true);
   }
-  /** @param {number} order */
+  /** Switches between polygons as large as their boxes allow and polygons of one scale for the whole motion. */
+  #keepScale() {
+    this.#oneScale.ariaPressed = String(this.#oneScale.ariaPressed !== "true");
+    this.#page.redraw();
+  }
+
+  /**
+   * @param {number} order
+   * @returns the enlarged polygon; null in motion, and if one scale is chosen
+   */
   #closeUp(order) {
+    if (this.#snapshot?.state.view.playing || this.#oneScale.ariaPressed === "true") return null;
     const [picture, whole] = [this.#here, this.#whole].map((here) => here?.pictures[order]);
     const { surface } = this.#sheets[order];
     return picture && whole && surface.visible ? closeUp(picture, whole, surface, MARGIN) : null;
