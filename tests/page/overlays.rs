@@ -37,7 +37,7 @@ async fn overlays_come_and_go() {
     page.close().await;
 }
 
-/// A key below the drawing names the lines of instant centres and circles; its button, or a key, brings them into view.
+/// A key names the lines of instant centres and circles; its button, or a key, brings them into view.
 #[tokio::test]
 async fn overlays_have_a_key_and_a_view_of_them_all() {
     let page = Page::open().await;
@@ -50,6 +50,8 @@ async fn overlays_have_a_key_and_a_view_of_them_all() {
     assert_eq!(hidden().await, json!(true));
     page.click("instant_centres").await;
     page.click("curvature").await;
+    page.ask("document.querySelector('#legend summary').click()")
+        .await;
     let said = page.text("legend-entries").await;
     for name in ["instant centre", "line of three", "inflection circle"] {
         assert!(said.contains(name), "{name}: {said}");

@@ -1,4 +1,4 @@
-// The key to the overlays of instant centres and curvature, below the drawing: what each line and mark is, and a command
+// The key to the overlays of instant centres and curvature, which opens over the drawing: what each line and mark is, and a command
 // that brings all of them into view.
 import { byId, make } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
