@@ -9,7 +9,7 @@ import { byId, make } from "assur/core/dom.js";
  * @param {readonly HTMLElement[]} content
  */
 export function fold(fold, content) {
-  byId(`fold-${fold}`, HTMLDetailsElement).append(...content);
+  byId(`fold-${fold}`, HTMLElement).append(...content);
 }
 
 /**

@@ -52,13 +52,13 @@ test("a new drawing has the scale of an empty sheet, whatever was drawn and zoom
     return mechanism;
   };
   const view = shown(new MechanismView(canvasOf(800, 600), page.engine, themeOf(page.engine.roles)));
-  view.keep(true, 40);
+  view.keep(true, () => ({ top: 40, bottom: 0 }));
   view.zoom(5);
   const before = view.view.scale;
   newDrawing(page);
   const { scale } = shown(view).view;
   const fresh = new MechanismView(canvasOf(800, 600), page.engine, themeOf(page.engine.roles));
-  fresh.keep(true, 40);
+  fresh.keep(true, () => ({ top: 40, bottom: 0 }));
   assert.equal(scale, shown(fresh).view.scale);
   assert.notEqual(scale, before);
   assert.ok(!view.zoomed);
