@@ -14,8 +14,8 @@ import { quantityText } from "assur/plots/values.js";
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/controls/shown.js").Cell} Cell
  * @typedef {import("assur/controls/shown.js").Row & Readonly<{ letter: string, low?: string, name: string, role?: string, curve?: boolean }>} TableRow
- * `letter`, `name`: the two parts of the title. `low`: subscript of the letter. `role`: of the row's colour; a row without one belongs to the row above it. `curve`: whether
- * the quantity is plotted.
+ * `letter`, `name`: the two parts of the title. `low`: subscript of the letter. `role`: of the row's colour; a row without one belongs to the row above it.
+ * `curve`: whether the quantity is plotted.
  */
 
 const NONE = "—";
