@@ -145,13 +145,13 @@ async fn what_a_cannot_do_is_said() {
     // Driven by the rocker it goes to and fro, where A turns.
     page.choose("driver", "rocker").await;
     page.settle().await;
-    assert!(page.text("compare-said").await.contains("A is grey"));
+    assert!(page.text("compare-said").await.contains("Ⓐ is grey"));
     page.click("compare-freeze").await;
     page.choose("driver", "crank").await;
     page.stop_at("200").await;
     page.settle().await;
     page.until("the sentence", async || {
-        page.text("compare-said").await == "A cannot be assembled here."
+        page.text("compare-said").await == "Ⓐ cannot be assembled here."
     })
     .await;
     let dash = "return [...document.querySelectorAll('#readouts .beside td')].every(({ textContent }) => textContent === '—')";
@@ -243,7 +243,7 @@ async fn the_table_says_why_a_has_no_row() {
         let said = page.ask(said).await;
         said.as_str()
             .unwrap()
-            .contains("A cannot be assembled here.")
+            .contains("Ⓐ cannot be assembled here.")
     })
     .await;
     open_dialog(&page).await;

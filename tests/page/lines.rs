@@ -130,7 +130,7 @@ async fn polygons_say_where_there_are_none() {
     page.close().await;
 }
 
-/// One scale for the whole motion; next to a dead point, where accelerations grow without bound, a smaller one, and it is
+/// One scale for the whole motion where it is chosen, not that of the enlarged polygon; next to a dead point, where accelerations grow without bound, a smaller one, and it is
 /// said.
 #[tokio::test]
 async fn polygons_keep_their_scale() {
@@ -138,6 +138,12 @@ async fn polygons_keep_their_scale() {
     open(&page, "jansen").await;
     page.stop_at("0").await;
     shown(&page).await;
+    let enlarged = page.text("polygon-velocity-scale").await;
+    page.click("polygons-scale").await;
+    page.until("one scale", async || {
+        page.text("polygon-velocity-scale").await != enlarged
+    })
+    .await;
     let scales = async || {
         let mut scales = Vec::new();
         for name in ["velocity", "acceleration"] {

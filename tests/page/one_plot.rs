@@ -56,6 +56,82 @@ async fn one_plot_is_shown_alone() {
     page.close().await;
 }
 
+/// A press on the title of a plot makes it large, another one shows all again, a double click is one of the two. None of them
+/// drives the mechanism.
+#[tokio::test]
+async fn a_press_on_a_title_makes_a_plot_large() {
+    let page = Page::open().await;
+    page.stop_at("62").await;
+    let find = "const canvas = document.getElementById('charts'), { left, top } = canvas.getBoundingClientRect(), found = [];
+        for (let y = 0; y < canvas.clientHeight; y += 4) {
+            canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: left + 60, clientY: top + y }));
+            if (canvas.dataset.titled === 'true' && !(y - found.at(-1) < 40)) found.push(y);
+        }
+        arguments[0](found)";
+    let titles = page.numbers(find).await;
+    assert_eq!(titles.len(), 3, "{titles:?}");
+    for (order, y) in titles.iter().enumerate() {
+        page.drag_along("charts", &[(50.0, y + 6.0)]).await;
+        assert_eq!(orders(&page).await, [order]);
+        page.drag_along("charts", &[(80.0, titles[0] + 6.0)]).await;
+        assert_eq!(orders(&page).await, [0, 1, 2]);
+    }
+    page.fingers("charts", &[vec![(110.0, titles[1] + 6.0)]])
+        .await;
+    assert_eq!(orders(&page).await, [1]);
+    page.choose("only", "all").await;
+    page.double_click("charts", (60.0, titles[2] + 6.0)).await;
+    assert_eq!(orders(&page).await, [2]);
+    assert_eq!(page.value("angle").await, 62.0);
+    page.close().await;
+}
+
+/// The column of plots is dragged wider and narrower, by keys, too; a press or a far drag folds it away. Its width is kept.
+#[tokio::test]
+async fn the_column_of_plots_has_the_width_one_gives_it() {
+    let page = Page::open().await;
+    let widths = async || {
+        let found = page
+            .numbers("arguments[0](['plot-column', 'mechanism'].map((id) => document.getElementById(id).offsetWidth))")
+            .await;
+        [found[0], found[1]]
+    };
+    let by = async |pixels: f64| {
+        page.drag_along("plots-edge", &[(7.0, 90.0), (7.0 - pixels, 90.0)])
+            .await;
+    };
+    let [usual, stage] = widths().await;
+    by(100.0).await;
+    let [wide, narrow] = widths().await;
+    assert!((wide - usual - 100.0).abs() <= 2.0, "{usual} {wide}");
+    assert!((stage - narrow - 100.0).abs() <= 2.0, "{stage} {narrow}");
+    page.reload().await;
+    assert!((widths().await[0] - wide).abs() <= 1.0);
+    page.focus("plots-edge").await;
+    page.keys(Key::Right + "").await;
+    assert!(widths().await[0] < wide - 20.0);
+    page.keys(Key::End + "").await;
+    assert!(widths().await[1] >= 220.0);
+    page.keys(Key::Home + "").await;
+    assert_eq!(widths().await[0], 300.0);
+    for fold in ["key", "press", "drag"] {
+        let before = widths().await;
+        match fold {
+            "key" => page.keys(Key::Enter + "").await,
+            "press" => by(0.0).await,
+            _ => by(-250.0).await,
+        }
+        let [none, all] = widths().await;
+        assert_eq!(none, 0.0, "{fold}");
+        assert!(all >= before[0] + before[1], "{fold}: {all}");
+        page.keys(Key::Enter + "").await;
+        assert_eq!(widths().await, before, "{fold}");
+    }
+    page.double_click("plots-edge", (7.0, 90.0)).await;
+    assert_eq!(widths().await, [usual, stage]);
+    page.close().await;
+}
+
 /// The colour of the rocker's curve.
 const ROCKER: [u8; 3] = [0x00, 0x9E, 0x73];
 

@@ -1,6 +1,9 @@
 //! What is laid over the drawing: it appears, and stands where the engine says.
 
+use serde_json::json;
+
 use crate::browser::Page;
+use crate::gallery::open;
 
 /// Colours of the analogues, as the page's style sheet has them.
 const VELOCITY: [u8; 3] = [0xC2, 0x38, 0x7F];
@@ -31,6 +34,52 @@ async fn overlays_come_and_go() {
         assert!(page.picture("mechanism").await.difference(&plain) < 20);
     }
     assert!(page.picture("charts").await.difference(&chart) < 20);
+    page.close().await;
+}
+
+/// A key names the lines of instant centres and circles; its button, or a key, brings them into view.
+#[tokio::test]
+async fn overlays_have_a_key_and_a_view_of_them_all() {
+    let page = Page::open().await;
+    open(&page, "crank-rocker").await;
+    page.stop_at("140").await;
+    let hidden = async || {
+        page.ask("return document.getElementById('legend').hidden")
+            .await
+    };
+    assert_eq!(hidden().await, json!(true));
+    page.click("instant_centres").await;
+    page.click("curvature").await;
+    page.ask("document.querySelector('#legend summary').click()")
+        .await;
+    let said = page.text("legend-entries").await;
+    for name in ["instant centre", "line of three", "inflection circle"] {
+        assert!(said.contains(name), "{name}: {said}");
+    }
+    page.click("zoom-all").await;
+    assert_eq!(
+        page.attribute("mechanism", "data-zoomed").await.unwrap(),
+        "true"
+    );
+    page.click("zoom-fit").await;
+    assert_eq!(
+        page.attribute("mechanism", "data-zoomed").await.unwrap(),
+        "false"
+    );
+    page.keys("f").await;
+    assert_eq!(
+        page.attribute("mechanism", "data-zoomed").await.unwrap(),
+        "true"
+    );
+    // The rows of curvature do not push the last plot off the screen.
+    let below = "const [plots, charts] = ['.plots', '.charts'].map((of) => document.querySelector(of).getBoundingClientRect().bottom);
+        return charts <= plots";
+    page.screen((1280, 800), 1.0).await;
+    page.settle().await;
+    assert_eq!(page.ask(below).await, json!(true));
+    page.click("instant_centres").await;
+    page.click("curvature").await;
+    assert_eq!(hidden().await, json!(true));
     page.close().await;
 }
 

@@ -23,6 +23,7 @@ export const KEYS = Object.freeze([
   { command: "assembly1", name: "key.assembly1", combos: ["1"] },
   { command: "assembly2", name: "key.assembly2", combos: ["2"] },
   { command: "trace", name: "tracers.trace", combos: ["T"], control: "trace" },
+  { command: "all", name: "zoom.all", combos: ["F"], control: "zoom-all" },
   { command: "new-drawing", name: "draw.new", combos: ["N"], control: "new-drawing" },
   { command: "draw", name: "draw.open", combos: ["D"], control: "draw" },
   { command: "undo", name: "edit.undo", combos: ["Control+Z"], control: "undo", again: true },

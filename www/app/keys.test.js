@@ -51,7 +51,7 @@ const shift = { shiftKey: true };
 test("every key does what it says", () => {
   const table = [
     [" ", {}, "play"], ["ArrowLeft", {}, "back"], ["ArrowRight", {}, "forward"], ["ArrowLeft", shift, "back10"], ["ArrowRight", shift, "forward10"], ["Home", {}, "start"], ["End", {}, "end"],
-    ["+", shift, "faster"], ["=", {}, "faster"], ["-", {}, "slower"], ["r", {}, "reverse"], ["1", {}, "assembly1"], ["2", {}, "assembly2"], ["t", {}, "trace"], ["n", {}, "new-drawing"],
+    ["+", shift, "faster"], ["=", {}, "faster"], ["-", {}, "slower"], ["r", {}, "reverse"], ["1", {}, "assembly1"], ["2", {}, "assembly2"], ["t", {}, "trace"], ["f", {}, "all"], ["n", {}, "new-drawing"],
     ["d", {}, "draw"], ["z", control, "undo"], ["z", { ...control, ...shift }, "redo"], ["y", control, "redo"], ["e", {}, "export"], ["g", {}, "gallery"], ["l", {}, "lesson"], ["p", {}, "projector"],
     ["s", {}, "settings"], ["?", shift, "help"], ["Escape", {}, "close"],
   ];

@@ -85,6 +85,7 @@ export class Page {
     const keys = {
       ...commands,
       trace: () => pointer.trace(),
+      all: () => this.mechanism.fitAll(),
       lesson: () => {
         lesson.toggle();
         header.fold(this.store.get().view.lesson !== null);

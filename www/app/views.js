@@ -18,9 +18,11 @@ import { Bringing } from "assur/core/bringing.js";
 import { byId, setData } from "assur/core/dom.js";
 import { HERE, LATER } from "assur/kinds/index.js";
 import { PlotBar } from "assur/plots/bar.js";
+import { PlotColumn } from "assur/plots/column.js";
 import { ChartCursor } from "assur/plots/cursor.js";
 import { ChartPointer } from "assur/plots/pointer.js";
 import { ReadoutTable } from "assur/plots/readouts.js";
+import { Legend } from "assur/stage/legend.js";
 import { moves } from "assur/state/model.js";
 
 /**
@@ -81,13 +83,14 @@ export class Views {
     this.#opened = store.get().view.playing;
     const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
     chart.redrawn = () => cursor.redraw();
+    if (!page.habits.embedding) new PlotColumn();
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
     this.#held = held;
     this.#rendering = new Rendering(() => page.notices.tell(BROKE));
     this.#bringing = new Bringing(() => page.redraw(), () => page.notices.tell(LOST));
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
     this.#plots = [chart, cursor];
-    this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(page), new AboutLink(page), new Measures(page), new Comparing(page)];
+    this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(page), new AboutLink(page), new Legend(page), new Measures(page), new Comparing(page)];
     for (const [kind, here] of HERE) this.#add(kind, here);
   }
 

@@ -55,6 +55,16 @@ export function readDisplayList(list, start, roles, labels, newPath, before = []
 }
 
 /**
+ * @param {List} record
+ * @returns {number[][]} the bounds of a circle, xmin, ymin, xmax, ymax; none of another shape
+ */
+export function circleBounds(record) {
+  if (record[0] !== CIRCLE) return [];
+  const [x, y, radius] = record.subarray(3, 6);
+  return [[x - radius, y - radius, x + radius, y + radius]];
+}
+
+/**
  * @param {List} record earlier record; as a record contains its own length, comparing its values is enough
  * @param {List} list
  * @param {number} at

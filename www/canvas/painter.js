@@ -93,12 +93,11 @@ export class Painter {
     context.font = font;
     for (const layer of layers) {
       if (layer.labels.length === 0) continue;
-      const [x, y, angle] = poses[layer.body];
-      const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+      const place = placing(layer, view, poses);
       for (const label of layer.labels) {
         const written = write(label.label);
         const [, text = written, low = ""] = INDEXED.exec(written) ?? [];
-        const [left, top] = view.toScreen(x + cos * label.x - sin * label.y, y + sin * label.x + cos * label.y);
+        const [left, top] = place(label);
         const wanted = { x: left, y: top, dx: label.dx * size, dy: -label.dy * size };
         const width = textWidth(context, font, text);
         const more = low === "" ? 0 : LOW.size * textWidth(context, font, low);
@@ -175,4 +174,26 @@ export class Painter {
     }
     return known.band;
   }
+}
+
+/**
+ * @param {readonly Layer[]} layers
+ * @param {Transform} view
+ * @param {readonly (readonly number[])[]} poses x, y and angle of each body
+ * @returns {{ x: number, y: number }[]} the points of all labels, in pixels
+ */
+export function labelledPoints(layers, view, poses) {
+  return layers.flatMap((layer) => layer.labels.map(placing(layer, view, poses)).map(([x, y]) => ({ x, y })));
+}
+
+/**
+ * @param {Layer} layer
+ * @param {Transform} view
+ * @param {readonly (readonly number[])[]} poses
+ * @returns {(at: { x: number, y: number }) => [number, number]} gives the pixels of a point of the layer's body
+ */
+function placing({ body }, view, poses) {
+  const [x, y, angle] = poses[body];
+  const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+  return (at) => view.toScreen(x + cos * at.x - sin * at.y, y + sin * at.x + cos * at.y);
 }

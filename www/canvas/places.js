@@ -1,9 +1,11 @@
-// Places of the labels of a drawing. A label whose wanted place is taken stands on another side of its point.
+// Places of the labels of a drawing. A label whose wanted place is taken, or nearer to the point of another label, stands on
+// another side of its point.
 import { isFree } from "assur/canvas/boxes.js";
 
 /**
  * @typedef {import("assur/canvas/boxes.js").Box} Box
  * @typedef {Readonly<{ width: number, height: number }>} Size of the drawing, in CSS pixels
+ * @typedef {Readonly<{ x: number, y: number }>} Point
  */
 
 /**
@@ -20,6 +22,9 @@ const SIDES = Object.freeze([1, 2].flatMap((far) => [
 /** Extra room, in heights of the label, that a moved label needs to return to its wanted place. Prevents flicker. */
 const ROOM = 1.5;
 
+/** Distance of points that are in one place, in pixels. */
+const SAME = 2;
+
 export class Places {
   /** @type {Box[]} boxes of the labels placed since `begin` */
   #taken = [];
@@ -27,13 +32,21 @@ export class Places {
   #moved = new Map();
   /** @type {Size} */
   #sheet = { width: 0, height: 0 };
+  /** @type {readonly Box[]} */
+  #lines = [];
+  /** @type {readonly Point[]} points of all labels */
+  #points = [];
 
   /**
    * Begins a new placement of all labels.
    * @param {Size} sheet size of the drawing; a label does not leave it if the label's point is inside
+   * @param {readonly Point[]} [points] points of the labels
+   * @param {readonly Box[]} [lines] boxes along lines on which labels stand only for want of another place
    */
-  begin(sheet) {
+  begin(sheet, points = [], lines = []) {
     this.#taken = [];
+    this.#lines = lines;
+    this.#points = points;
     this.#sheet = sheet;
   }
 
@@ -54,13 +67,33 @@ export class Places {
     const free = (/** @type {number} */ side, room = 0) => isFree(boxOf(on(side), width + room, height + room), this.#taken);
     const last = this.#moved.get(label) ?? 0;
     const back = last === 0 ? 0 : ROOM * height;
-    const side = [0, last, ...SIDES.keys()].find((one, i) => free(one, i === 0 ? back : 0));
+    const sides = [0, last, ...SIDES.keys()];
+    const good = (/** @type {number} */ one) => this.#isOwn(on(one), { x, y }) && isFree(boxOf(on(one), width, height), this.#lines);
+    const side = sides.find((one, i) => free(one, i === 0 ? back : 0) && good(one)) ?? sides.find((one, i) => free(one, i === 0 ? back : 0));
     if (side) this.#moved.set(label, side);
     else this.#moved.delete(label);
     const at = on(side ?? 0);
     if (side !== undefined) this.#taken.push(boxOf(at, width, height));
     return { ...at, free: side !== undefined };
   }
+
+  /**
+   * @param {Point} middle of a label
+   * @param {Point} own point of the label
+   * @returns {boolean} whether no other point is nearer to the label; points in one place count as one
+   */
+  #isOwn(middle, own) {
+    const off = distance(middle, own);
+    return this.#points.every((point) => distance(middle, point) >= off || distance(point, own) < SAME);
+  }
+}
+
+/**
+ * @param {Point} a
+ * @param {Point} b
+ */
+function distance(a, b) {
+  return Math.hypot(a.x - b.x, a.y - b.y);
 }
 
 /**

@@ -95,3 +95,19 @@ test("a label of a point that is off the sheet is not drawn in", () => {
   assert.deepEqual([A.x, A.y], [-186, 88]);
   assert.deepEqual([B.x, B.y], [SHEET.width - WIDTH / 2, HEIGHT / 2]);
 });
+
+test("a label does not stand nearer to the point of another one, unless there is no other place", () => {
+  const places = new Places();
+  const own = { x: 100, y: 100, dx: 12, dy: -12 };
+  const tip = { x: 112, y: 86 };
+  places.begin({ width: 300, height: 300 }, [own, tip]);
+  const { x, y, free } = places.take("B", own, 10, 14);
+  assert.ok(free);
+  assert.ok(Math.hypot(x - own.x, y - own.y) < Math.hypot(x - tip.x, y - tip.y), `${x} ${y}`);
+  // Alone, it has its wanted place again; so has one of two names of a place.
+  places.begin({ width: 300, height: 300 }, [own, { x: 100, y: 100 }]);
+  assert.deepEqual(places.take("B", own, 10, 14), { x: 112, y: 88, free: true });
+  const around = [1, -1].flatMap((dx) => [1, -1].map((dy) => ({ x: 100 + 12 * dx, y: 100 + 12 * dy })));
+  places.begin({ width: 300, height: 300 }, [own, ...around, ...around.map(({ x, y }) => ({ x: 2 * x - 100, y: 2 * y - 100 }))]);
+  assert.deepEqual(places.take("B", own, 10, 14), { x: 112, y: 88, free: true });
+});

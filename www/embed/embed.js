@@ -26,7 +26,7 @@ const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegEx
 }));
 
 /** Commands available in a frame: `MOVING` always, `EDITING` if the mechanism may be changed. */
-const MOVING = Object.freeze(["play", "back", "forward", "back10", "forward10", "start", "end", "faster", "slower", "reverse", "close"]);
+const MOVING = Object.freeze(["play", "back", "forward", "back10", "forward10", "start", "end", "faster", "slower", "reverse", "all", "close"]);
 const EDITING = Object.freeze(["assembly1", "assembly2", "trace", "undo", "redo"]);
 
 export class Embedding {

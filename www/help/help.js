@@ -8,6 +8,8 @@ import { LESSONS } from "assur/lessons/index.js";
 const GESTURES = Object.freeze([
   ["gesture.hinge", "gesture.hinge.does"],
   ["gesture.plot", "gesture.plot.does"],
+  ["gesture.title", "gesture.title.does"],
+  ["gesture.edge", "gesture.edge.does"],
   ["gesture.paper", "gesture.paper.does"],
   ["gesture.zoom", "gesture.zoom.does"],
   ["gesture.fit", "gesture.fit.does"],

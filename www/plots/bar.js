@@ -5,7 +5,7 @@ import { called } from "assur/core/names.js";
 import { partsOf } from "assur/core/quantity.js";
 import { subscript } from "assur/core/symbols.js";
 import { derived } from "assur/core/units.js";
-import { PairChoice } from "assur/plots/pairs.js";
+import { PairChoice, pointsOfFrame } from "assur/plots/pairs.js";
 import { whose } from "assur/plots/readouts.js";
 import { withView } from "assur/state/state.js";
 
@@ -37,6 +37,7 @@ export class PlotBar {
   #points = [];
   #overviews = "";
   #measures = "";
+  #frame = "";
   #joints = "";
   /** @type {readonly unknown[]} values shown last */
   #shown = [];
@@ -71,11 +72,12 @@ export class PlotBar {
     const transmissions = "transmissions" in summary ? summary.transmissions : NONE;
     const { plot, against, measures, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine.names;
+    const frame = pointsOfFrame(snapshot.state).join();
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
     const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, joints(transmissions), against, measures.join(), summary, ...wrong];
     if (shown.every((part, i) => part === this.#shown[i])) return;
-    const anew = words !== this.#shown[7] || points !== this.#points || joints(transmissions) !== this.#joints;
+    const anew = words !== this.#shown[7] || frame !== this.#frame || points !== this.#points || joints(transmissions) !== this.#joints;
     if (anew || measures.join() !== this.#measures || overviews.join() !== this.#overviews) this.#offer(snapshot, points, transmissions);
     if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
     this.#shown = shown;
@@ -130,6 +132,7 @@ export class PlotBar {
   #offer(snapshot, points, transmissions) {
     const { summary: { overviews }, state: { view: { measures } }, words } = snapshot;
     this.#measures = measures.join();
+    this.#frame = pointsOfFrame(snapshot.state).join();
     this.#joints = joints(transmissions);
     this.#points = points;
     this.#overviews = overviews.join();

@@ -6,7 +6,7 @@ import { drawAgainstCursor, drawAgainstText } from "assur/plots/against.js";
 import { paintCursorLine, pointsOf } from "assur/plots/cursor-line.js";
 import { drawMarks } from "assur/plots/marks.js";
 import { across } from "assur/plots/panel.js";
-import { drawChartText } from "assur/plots/text.js";
+import { drawChartText, drawTitleSign } from "assur/plots/text.js";
 
 /**
  * @typedef {import("assur/engine.js").Engine} Engine
@@ -30,8 +30,10 @@ export class ChartView {
   panels = [];
   /** @type {import("assur/types/web.js").AgainstLayout | null} plot of one quantity against another, instead of the panels */
   against = null;
-  /** @type {readonly (readonly Box[])[]} boxes of the labels of each panel */
+  /** @type {readonly (readonly import("assur/plots/marks.js").Label[])[]} labels of each panel */
   labels = [];
+  /** @type {readonly Box[]} boxes of the titles of the panels */
+  titles = [];
   /** @type {Overlay | null} */
   #overlay = null;
   #failed;
@@ -69,7 +71,7 @@ export class ChartView {
     if (!snapshot || !this.#surface.begin()) return;
     this.#surface.clear();
     const { drawn, ...layout } = this.#paint(this.#surface, snapshot, this.#theme, false);
-    ({ panels: this.panels, against: this.against, labels: this.labels } = layout);
+    ({ panels: this.panels, against: this.against, labels: this.labels, titles: this.titles } = layout);
     if (this.#drawable && !drawn) this.#failed();
     this.#drawable = drawn;
     this.redrawn();
@@ -126,9 +128,13 @@ export class ChartView {
     const { value } = attempt(() => this.#engine.chart(context, { width, height, palette, scale, ratio, whole: fullDetail, only, around: snapshot.input }));
     const { panels, against } = value ?? { panels: [], against: null };
     const covered = this.#overlay?.(context, panels, snapshot, this.#engine, theme) ?? [];
-    const titles = drawChartText(context, panels, snapshot, theme);
-    const labels = panels.map((panel, i) => drawMarks(context, panel, [titles[i], ...(covered[i] ? [covered[i]] : [])], snapshot, theme));
+    const written = drawChartText(context, panels, snapshot, theme);
+    // On paper a press does nothing.
+    const sign = { alone: only !== "all", end: width };
+    const titles = fullDetail ? written : written.map((title) => drawTitleSign(context, title, theme, sign));
+    const by = { cursor: !fullDetail };
+    const labels = panels.map((panel, i) => drawMarks(context, panel, [...titles, ...(covered[i] ? [covered[i]] : [])], snapshot, theme, by));
     if (against) drawAgainstText(context, against, snapshot, theme);
-    return { panels, against, labels, drawn: value !== null };
+    return { panels, against, labels, titles, drawn: value !== null };
   }
 }

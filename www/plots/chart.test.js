@@ -4,10 +4,12 @@ import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
 import { axisName, described, drawAgainstCursor, drawAgainstText, inputAt } from "assur/plots/against.js";
 import { isFree } from "assur/canvas/boxes.js";
+import { ChartCursor } from "assur/plots/cursor.js";
 import { drawMarks } from "assur/plots/marks.js";
 import { ChartView } from "assur/plots/chart.js";
 import { Refusal } from "assur/core/problem.js";
 import { across, angleAt, down, shows } from "assur/plots/panel.js";
+import { pointsOfFrame } from "assur/plots/pairs.js";
 import { drawChartText } from "assur/plots/text.js";
 import { axisValueText, power, unitOf } from "assur/plots/units.js";
 import { quantityText } from "assur/plots/values.js";
@@ -47,7 +49,7 @@ test("zeros are labelled with their angle, extrema with value and angle; one lab
   const { draw } = begin("mixer-a");
   const { texts } = draw();
   const count = (wanted) => texts.filter((text) => text === wanted).length;
-  for (const wanted of ["23.1°", "217.1°", "99.7°", "340.1°", "60.3° at 23.1°", "148.2° at 217.1°", "0.673 at 99.7°", "−1.094 at 340.1°"]) assert.equal(count(wanted), 1, `${wanted}: ${texts}`);
+  for (const wanted of ["23.1°", "217.1°", "99.7°", "60.3° at 23.1°", "148.2° at 217.1°", "0.673 at 99.7°", "−1.094 at 340.1°"]) assert.equal(count(wanted), 1, `${wanted}: ${texts}`);
   const point = draw((state) => withView(state, { plot: "C1" })).texts;
   for (const wanted of ["90.0°", "270.0°", "180.0°"]) assert.ok(point.filter((text) => text === wanted).length >= 2, `${wanted}: ${point}`);
 });
@@ -69,6 +71,65 @@ test("no label of a plot is over another, over a title or outside the plot", () 
     }
   }
   assert.ok(draw().labels.flat().length > 8);
+});
+
+/** Makes a canvas for a view of the page, with the boxes of the numbers painted on it. */
+function canvasOf({ width, height }) {
+  globalThis.ResizeObserver = class {
+    constructor(measure) {
+      this.observe = measure;
+    }
+  };
+  globalThis.matchMedia = () => new EventTarget();
+  const tags = [];
+  const roundRect = (left, top, wide, tall) => tags.push({ left, top, right: left + wide, bottom: top + tall });
+  const context = Object.assign(new Context(), { roundRect });
+  return { canvas: { dataset: {}, clientWidth: width, clientHeight: height, getContext: () => context }, tags, context };
+}
+
+test("numbers at the cursor lie on no label, no title, no number of an axis and not on each other, at any size", () => {
+  let labelled = 0;
+  for (const [id, view, size] of [["mixer-a", {}, SIZE], ["jansen", {}, SIZE], ["stephenson-3", {}, { width: 340, height: 460 }], ["jansen", { plot: "F" }, { width: 900, height: 900 }], ["crank-rocker", { only: "value" }, { width: 340, height: 460 }]]) {
+    const { page, theme } = begin(id, view);
+    const { canvas, context } = canvasOf(size);
+    const chart = new ChartView(canvas, page.engine, theme, () => assert.fail());
+    chart.render(page.now());
+    const axes = context.texts.filter(({ align }) => align !== "left").map(({ x, y, width, align }) => ({ left: align === "right" ? x - width : x - width / 2, right: align === "right" ? x : x + width / 2, top: align === "right" ? y - 5 : y, bottom: align === "right" ? y + 5 : y + 11 }));
+    const still = [...chart.titles, ...axes, ...chart.labels.flat()];
+    labelled += chart.labels.flat().length;
+    for (const [k, box] of chart.labels.flat().entries()) assert.ok(isFree(box, still.filter((_, i) => i !== k + chart.titles.length + axes.length)), `${id} ${JSON.stringify(box)}`);
+    const { canvas: over, tags } = canvasOf(size);
+    const cursor = new ChartCursor(over, theme, chart, page.engine);
+    cursor.render(page.now());
+    for (let degrees = 0; degrees <= 360; degrees += 5) {
+      tags.length = 0;
+      cursor.hover((degrees * Math.PI) / 180);
+      for (const [k, tag] of tags.entries()) assert.ok(isFree(tag, [...still, ...tags.slice(0, k)]), `${id} ${degrees} ${JSON.stringify(tag)}`);
+    }
+  }
+  assert.ok(labelled > 30, String(labelled));
+});
+
+test("a low plot of several curves has marks without labels, which the cursor gives; on paper they are there", () => {
+  const { page, theme } = begin("mixer-a");
+  const { canvas } = canvasOf({ width: 340, height: 420 });
+  const chart = new ChartView(canvas, page.engine, theme, () => assert.fail());
+  chart.render(page.now());
+  assert.deepEqual(chart.labels.map(({ length }) => length), [0, 0, 0]);
+  const { canvas: over, context } = canvasOf({ width: 340, height: 420 });
+  const cursor = new ChartCursor(over, theme, chart, page.engine);
+  cursor.render(page.now());
+  const said = (/** @type {number} */ degrees) => {
+    context.texts.length = 0;
+    cursor.hover((degrees * Math.PI) / 180);
+    return context.texts.map(({ text }) => text);
+  };
+  const texts = said(217);
+  for (const text of ["148.2° at 217.1°", "−296.4° at 217.1°", "0.000 at 217.1°", "217.0°"]) has(texts, text);
+  assert.ok(!said(205).some((text) => text.includes(" at ")));
+  const paper = new Context();
+  chart.paint({ context: paper, ratio: 1 }, theme);
+  has(paper.texts.map(({ text }) => text), "148.2° at 217.1°");
 });
 
 test("an axis of time says its unit once, by its last number", () => {
@@ -162,6 +223,12 @@ test("any two quantities are plotted against each other, by axes with names and 
   assert.ok(train.texts.includes("φ₃, ° →"), String(train.texts));
 });
 
+test("points of the frame have neither path nor hodograph to choose", () => {
+  const { page } = begin("whitworth");
+  assert.deepEqual(pointsOfFrame(page.store.get()), ["A", "D", "G"]);
+  assert.deepEqual(pointsOfFrame(new Page("mixer-a").store.get()), []);
+});
+
 test("a press on a curve is the input of its place, next to the motion where it passes twice", () => {
   const { draw } = begin("jansen", { against: { x: "F.x", y: "F.y" } });
   const { against, snapshot } = draw();
@@ -196,14 +263,8 @@ test("the cursor on a curve has both numbers of its place, and hides what a less
 });
 
 test("plots that cannot be drawn are empty, and that is said once until they are drawn again", () => {
-  globalThis.ResizeObserver = class {
-    constructor(measure) {
-      this.observe = measure;
-    }
-  };
-  globalThis.matchMedia = () => new EventTarget();
   const { page, theme } = begin("jansen");
-  const canvas = { dataset: {}, clientWidth: SIZE.width, clientHeight: SIZE.height, getContext: () => new Context() };
+  const { canvas } = canvasOf(SIZE);
   let told = 0;
   const chart = new ChartView(canvas, page.engine, theme, () => (told += 1));
   const render = (title) => {

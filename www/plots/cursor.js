@@ -1,4 +1,5 @@
 // The cursor over the plots: a line at the input, with a dot and a number on each curve. Hovering adds a dashed cursor.
+import { isFree } from "assur/canvas/boxes.js";
 import { Surface } from "assur/canvas/surface.js";
 import { textWidth } from "assur/canvas/text-width.js";
 import { setData } from "assur/core/dom.js";
@@ -6,13 +7,14 @@ import { attempt } from "assur/core/problem.js";
 import { idOf } from "assur/core/quantity.js";
 import { drawAgainstCursor } from "assur/plots/against.js";
 import { dotRadius, paintCursorLine, pointsOf } from "assur/plots/cursor-line.js";
+import { textAtCursor } from "assur/plots/marks.js";
 import { across } from "assur/plots/panel.js";
 import { paintTag, placedTags } from "assur/plots/tags.js";
 import { setChartFont } from "assur/plots/text.js";
 import { axisValueText } from "assur/plots/units.js";
 
 /**
- * @typedef {import("assur/canvas/boxes.js").Box} Box
+ * @typedef {import("assur/plots/marks.js").Label} Label
  * @typedef {import("assur/types/web.js").PanelLayout} Panel
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {{ y: number, text: string, colour: string, ink: string }} Dot
@@ -22,6 +24,8 @@ import { axisValueText } from "assur/plots/units.js";
 const TAG = 17;
 /** Dashes of the second cursor's line. */
 const GHOST = [4, 4];
+/** The first cursor: an unbroken line without the input. */
+const FIRST = Object.freeze({ named: false });
 
 export class ChartCursor {
   #surface;
@@ -36,7 +40,7 @@ export class ChartCursor {
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {import("assur/canvas/theme.js").Theme} theme
-   * @param {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null, readonly labels: readonly (readonly Box[])[] }} chart
+   * @param {{ readonly panels: readonly Panel[], readonly against: import("assur/types/web.js").AgainstLayout | null, readonly labels: readonly (readonly Label[])[] }} chart
    * @param {import("assur/engine.js").Engine} engine
    */
   constructor(canvas, theme, chart, engine) {
@@ -75,9 +79,8 @@ export class ChartCursor {
     // While a pointer hovers, only the second cursor has numbers: two sets of numbers would overlap.
     const { input } = snapshot;
     panels.forEach((panel, i) => this.#panel(panel, snapshot, input, snapshot.plotted, hovered === null ? labels[i] : null));
-    if (hovered === null || panels.length === 0) return;
-    panels.forEach((panel, i) => this.#panel(panel, snapshot, hovered, ghost, labels[i], GHOST));
-    this.#angle(panels[0], hovered, snapshot);
+    if (hovered === null) return;
+    panels.forEach((panel, i) => this.#panel(panel, snapshot, hovered, ghost, labels[i], { dashes: GHOST, named: i === 0 }));
   }
 
   get #tall() {
@@ -85,48 +88,39 @@ export class ChartCursor {
   }
 
   /**
-   * Paints the input of the second cursor above the topmost plot.
-   * @param {Panel} panel
-   * @param {number} input
-   * @param {Snapshot} snapshot
-   */
-  #angle(panel, input, { coordinate, words }) {
-    const { context } = this.#surface;
-    const text = coordinate.text(input, words, 1);
-    const font = setChartFont(context, this.#theme);
-    const width = textWidth(context, font, text) + 10;
-    const middle = across(panel, input);
-    const left = Math.min(Math.max(middle - width / 2, panel.left), panel.left + panel.width + 8 - width);
-    this.#tag(left, panel.top - this.#tall - 1, width, { y: 0, text, colour: this.#theme.colours.ink, ink: this.#theme.colours.ink });
-  }
-
-  /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {number} input
    * @param {Float64Array | null} values of the plotted quantities
-   * @param {readonly Box[] | null} labels labels that the written values avoid; null to write no values
-   * @param {number[]} [dashes] of the line
+   * @param {readonly Label[] | null} labels labels that the written values avoid; null to write no values
+   * @param {{ dashes?: number[], named: boolean }} [line] `named`: whether the input is written, too, at the top of the line
    */
-  #panel(panel, snapshot, input, values, labels, dashes) {
+  #panel(panel, snapshot, input, values, labels, { dashes, named } = FIRST) {
     const x = across(panel, input);
     const points = pointsOf(panel, values);
     if (!paintCursorLine(this.#surface.context, panel, x, points, this.#theme, dashes)) return;
-    const dots = this.#dots(panel, snapshot, points);
-    if (dots.length === 0) return;
-    if (labels) this.#tags(panel, x, dots, labels);
+    if (!labels) return;
+    const { ink } = this.#theme.colours;
+    const top = named ? [{ y: panel.top + this.#tall / 2, text: snapshot.coordinate.text(input, snapshot.words, 1), colour: ink, ink }] : [];
+    const dots = [...top, ...this.#dots(panel, snapshot, points, x, labels)];
+    if (dots.length > 0) this.#tags(panel, x, dots, labels);
   }
 
   /**
    * @param {Panel} panel
    * @param {Snapshot} snapshot
    * @param {readonly import("assur/plots/cursor-line.js").Point[]} points
+   * @param {number} x place of the cursor
+   * @param {readonly Label[]} labels
    * @returns {Dot[]} dots in order from top to bottom
    */
-  #dots(panel, { state, words, withheld }, points) {
+  #dots(panel, snapshot, points, x, labels) {
+    const { state: { view: { playing } }, words, withheld } = snapshot;
+    // In motion the numbers would jump at every mark.
+    const marked = (/** @type {string} */ role) => (!playing || this.#hovered !== null ? textAtCursor(panel, role, x, labels, snapshot) : null);
     const dots = points.map(({ index, value, y, role }) => {
       const hidden = withheld.has(idOf(panel.series[index].name, panel.order));
-      const text = hidden ? "?" : axisValueText(panel, value, words.numbers, state.view.playing);
+      const text = hidden ? "?" : marked(role) ?? axisValueText(panel, value, words.numbers, playing);
       return { y, text, colour: this.#theme.colours[role], ink: this.#theme.inks[role] };
     });
     return dots.sort((a, b) => a.y - b.y);
@@ -136,7 +130,7 @@ export class ChartCursor {
    * @param {Panel} panel
    * @param {number} x
    * @param {readonly Dot[]} dots
-   * @param {readonly Box[]} labels
+   * @param {readonly Label[]} labels
    */
   #tags(panel, x, dots, labels) {
     const { context } = this.#surface;
@@ -146,7 +140,8 @@ export class ChartCursor {
     const room = { left, top, right: left + width + 7, bottom: top + height };
     const middles = dots.map(({ y }) => y);
     const tags = placedTags({ middles, widths, tall: this.#tall, x, off: dotRadius(this.#theme) + 5, room, labels });
-    dots.forEach((dot, i) => this.#tag(tags[i].left, tags[i].top, widths[i], dot));
+    // A number without room beside the labels is left out: the table has it.
+    dots.forEach((dot, i) => isFree(tags[i], labels) && this.#tag(tags[i].left, tags[i].top, widths[i], dot));
   }
 
   /**

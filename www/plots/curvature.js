@@ -21,6 +21,9 @@ import { quantityText } from "assur/plots/values.js";
 
 const NONE = "—";
 
+/** Letter of the end of the diameter in the drawing. */
+const INFLECTION_POLE = "J";
+
 /** @type {Here} */
 const NOTHING = Object.freeze({ circles: [], inflection: null });
 
@@ -56,7 +59,9 @@ export class Curvature {
  * @returns {readonly Row[]} rows of the table, each in the colour of its circle in the drawing
  */
 function curvatureRows({ circles, inflection }, words, withheld) {
-  const row = (/** @type {string} */ role, /** @type {string} */ letter, /** @type {string} */ name, /** @type {readonly Cell[]} */ cells) => ({ title: `${letter} ${name}`, letter, name, role, cells });
+  // The subscript distinguishes the centres of several paths, and the letters from those of hinges.
+  /** @type {(role: string, letter: string, low: string, name: string, title: string, cells: readonly Cell[]) => Row} */
+  const row = (role, letter, low, name, title, cells) => ({ title: `${letter} ${title}`, letter, low, name, role, cells });
   /** @type {(quantity: string, order: number, letter: string, name: string, said: Pick<Cell, "text" | "value" | "at" | "why" | "wide">) => Cell} */
   const cell = (quantity, order, letter, name, said) => {
     const id = idOf(quantity, order);
@@ -66,20 +71,21 @@ function curvatureRows({ circles, inflection }, words, withheld) {
   const length = (/** @type {number} */ value, order = 0) => ({ text: quantityText(value, "x", order, words).text, value });
   const rows = circles.flatMap(({ point, radius, centre, reason }) => {
     const of = subscript(point);
-    const [quantity, name] = [`${point}.radius`, words.text("curvature.radius", { of })];
-    if (!radius || !centre) return [row("accent1", "R", name, [cell(quantity, 0, "R", name, why(reason))])];
-    const centreName = words.text("curvature.centre", { of });
+    const quantity = `${point}.radius`;
+    const [name, centreName] = [words.text("curvature.radius"), words.text("curvature.centre")];
+    const [title, centreTitle] = [`${name}, ${of}`, `${centreName}, ${of}`];
+    if (!radius || !centre) return [row("accent1", "R", of, name, title, [cell(quantity, 0, "R", title, why(reason))])];
     const said = { text: `(${centre.map((way) => length(way).text).join("; ")})`, at: centre, wide: true };
     return [
-      row("accent1", "R", name, radius.map((value, order) => cell(quantity, order, "R", name, length(value, order)))),
-      row("accent1", "K", centreName, [cell(`${point}.centre`, 0, "K", centreName, said)]),
+      row("accent1", "R", of, name, title, radius.map((value, order) => cell(quantity, order, "R", title, length(value, order)))),
+      row("accent1", "K", of, centreName, centreTitle, [cell(`${point}.centre`, 0, "K", centreTitle, said)]),
     ];
   });
   if (!inflection) return rows;
   const { link, diameter, reason } = inflection;
   const name = words.text("curvature.inflection", { of: called(link, words) });
   const own = cell(`${link}.inflection`, 0, "D", name, diameter === null ? why(reason) : length(diameter));
-  return [...rows, row("accent2", "D", name, diameter === null ? [own] : [own, BLANK, BLANK])];
+  return [...rows, row("accent2", "D", INFLECTION_POLE, name, name, diameter === null ? [own] : [own, BLANK, BLANK])];
 }
 
 /** @param {Row} row */

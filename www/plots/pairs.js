@@ -80,10 +80,12 @@ export class PairChoice {
    * @param {Snapshot} snapshot
    * @returns {HTMLElement} choices of pairs for the list of plots
    */
-  offered({ summary, words }) {
+  offered({ state, summary, words }) {
     const option = (/** @type {string} */ key, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ name) =>
       make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
-    const { points, quantities } = this.#engine.names;
+    const { quantities } = this.#engine.names;
+    const still = pointsOfFrame(state);
+    const points = this.#engine.names.points.filter((point) => !still.includes(point));
     // For a mechanism without an output, the pairs of all its angles are offered.
     const named = outputsOf(summary).map(({ name }) => name);
     const outputs = named.length > 0 ? named : quantities.filter((name) => name.endsWith("angle"));
@@ -127,6 +129,14 @@ export class PairChoice {
     this.#y.replaceChildren(...listed(names, summary.numbers, physical, words));
     this.#x.replaceChildren(make("option", { value: INPUT }, [coordinate.symbol]), ...listed(names, summary.numbers, physical, words));
   }
+}
+
+/**
+ * @param {import("assur/state/state.js").State} state
+ * @returns {readonly string[]} fixed pivots and the points of fixed guides, which have neither path nor hodograph
+ */
+export function pointsOfFrame({ document }) {
+  return "frame" in document && Array.isArray(document.frame) ? document.frame : [];
 }
 
 /**

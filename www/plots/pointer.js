@@ -1,4 +1,5 @@
-// Pointer on the plots: a click or drag moves the driver, hovering shows values, a double click shows one plot alone.
+// Pointer on the plots: a click or drag moves the driver, hovering shows values, a press on a title or a double click
+// makes one plot large.
 import { setData } from "assur/core/dom.js";
 import { inputAt } from "assur/plots/against.js";
 import { angleAt } from "assur/plots/panel.js";
@@ -9,6 +10,12 @@ const SLOP = 6;
 
 /** Greatest distance beyond the ends of the axis at which the pointer still acts on the plots, in pixels. */
 const BEYOND = 16;
+
+/** Free strip around a title that belongs to it, in pixels. */
+const AROUND = 3;
+
+/** Longest time between the presses of a double click, in milliseconds. */
+const TWICE = 300;
 
 /** Values of the view's field `only` that show a single plot, by the order of its derivative. */
 const ALONE = Object.freeze(/** @type {const} */ (["value", "first", "second"]));
@@ -22,6 +29,9 @@ export class ChartPointer {
   #store;
   /** @type {{ id: number, x: number, y: number, driving: boolean } | null} the pressed pointer */
   #held = null;
+  /** Whether the last press was on a title, and when it was. */
+  #titled = false;
+  #pressed = -Infinity;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -44,7 +54,18 @@ export class ChartPointer {
     canvas.addEventListener("pointerup", (event) => this.#up(event));
     canvas.addEventListener("pointercancel", () => this.#leave());
     canvas.addEventListener("pointerleave", () => this.#leave());
-    canvas.addEventListener("dblclick", (event) => this.#alone(event));
+    canvas.addEventListener("click", (event) => this.#titled && event.detail <= 1 && this.#alone(event));
+    canvas.addEventListener("dblclick", (event) => this.#titled || this.#alone(event));
+  }
+
+  /**
+   * @param {{ clientX: number, clientY: number }} event
+   * @returns {boolean} whether the pointer is on the title of a plot
+   */
+  #onTitle({ clientX, clientY }) {
+    const { left, top } = this.#canvas.getBoundingClientRect();
+    const [x, y] = [clientX - left, clientY - top];
+    return this.#chart.titles.some((title) => x >= title.left && x <= title.right && y >= title.top - AROUND && y <= title.bottom + AROUND);
   }
 
   /**
@@ -60,6 +81,10 @@ export class ChartPointer {
 
   /** @param {PointerEvent} event */
   #down(event) {
+    // The second press of a double click goes with the first, wherever the title is by now.
+    if (event.timeStamp - this.#pressed > TWICE) this.#titled = this.#onTitle(event);
+    this.#pressed = event.timeStamp;
+    if (this.#titled) return;
     if (this.#held || event.button !== 0 || this.#angle(event, BEYOND) === null) return;
     // A finger may be about to scroll the page: it moves the driver only when it moves sideways or is lifted.
     const driving = event.pointerType !== "touch";
@@ -74,7 +99,9 @@ export class ChartPointer {
   #move(event) {
     const held = this.#held;
     if (!held) {
-      if (event.pointerType !== "touch") this.#hover(this.#angle(event, BEYOND));
+      const titled = this.#onTitle(event);
+      setData(this.#canvas, "titled", String(titled));
+      if (event.pointerType !== "touch") this.#hover(titled ? null : this.#angle(event, BEYOND));
       return;
     }
     if (event.pointerId !== held.id) return;

@@ -13,8 +13,8 @@ import { quantityText } from "assur/plots/values.js";
  * @typedef {import("assur/types/web.js").ListedSummary} Listed
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/controls/shown.js").Cell} Cell
- * @typedef {import("assur/controls/shown.js").Row & Readonly<{ letter: string, name: string, role?: string, curve?: boolean }>} TableRow
- * `letter`, `name`: the two parts of the title. `role`: of the row's colour; a row without one belongs to the row above it. `curve`: whether
+ * @typedef {import("assur/controls/shown.js").Row & Readonly<{ letter: string, low?: string, name: string, role?: string, curve?: boolean }>} TableRow
+ * `letter`, `name`: the two parts of the title. `low`: subscript of the letter. `role`: of the row's colour; a row without one belongs to the row above it. `curve`: whether
  * the quantity is plotted.
  */
 
@@ -95,7 +95,7 @@ function inputRow({ state, coordinate, inputShown, words }) {
 /**
  * @param {Listed} listed
  * @param {Snapshot} snapshot
- * @returns {TableRow[]} the row of the quantity and, if mechanism A is shown, a row of A and one of the difference; B is the current mechanism
+ * @returns {TableRow[]} the row of the quantity and, if mechanism Ⓐ is shown, a row of Ⓐ and one of the difference; Ⓑ is the current mechanism
  */
 function quantityRows(listed, snapshot) {
   const { readouts, compared, compares, summary: { curves }, withheld, words } = snapshot;
@@ -115,9 +115,9 @@ function quantityRows(listed, snapshot) {
   const own = { title: `${letter} ${whose}`, letter, name: whose, role, curve: curves.includes(quantity), cells: cells(idOfOutput, b) };
   if (!compares) return [own];
   const beside = (/** @type {string} */ name, /** @type {Cell[]} */ values) => ({ title: name, letter: "", name, cells: values });
-  // The difference from A would give a withheld value away.
+  // The difference from Ⓐ would give a withheld value away.
   const difference = cells((name) => `difference-${name}`, (order) => differenceOf(what, order, a(order), b(order)));
-  return [own, beside("A", cells((name) => `a-${name}`, a, false)), beside("B − A", difference)];
+  return [own, beside("Ⓐ", cells((name) => `a-${name}`, a, false)), beside("Ⓑ − Ⓐ", difference)];
 }
 
 /**
@@ -132,8 +132,8 @@ export function tableCell({ id, wide }, more) {
  * @param {TableRow} row
  * @param {readonly HTMLElement[]} cells
  */
-export function tableRow({ letter, name, role, curve }, cells) {
-  const title = [make("b", {}, [letter]), " ", make("span", {}, [name])];
+export function tableRow({ letter, low, name, role, curve }, cells) {
+  const title = [make("b", {}, low === undefined ? [letter] : [letter, make("sub", {}, [low])]), " ", make("span", {}, [name])];
   if (!role) return make("tr", { class: "beside" }, [make("th", { scope: "row" }, title), ...cells]);
   const swatch = make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" });
   return make("tr", {}, [make("th", { scope: "row", style: `--accent: var(--role-${role})` }, [swatch, ...title]), ...cells]);

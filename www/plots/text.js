@@ -79,6 +79,40 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
+/** Sign after a title that a press on it makes the plot large, or shows all plots again, in pixels. */
+const SIGN = 9;
+
+/**
+ * Draws two corners that point outwards, or inwards for a plot that is alone.
+ * @param {import("assur/canvas/painter.js").Context} context
+ * @param {Box} title
+ * @param {Theme} theme
+ * @param {{ alone: boolean, end: number }} where `end`: right edge of the canvas
+ * @returns {Box} box of the title with its sign, if there is room for it
+ */
+export function drawTitleSign(context, title, theme, { alone, end }) {
+  const size = SIGN * theme.scale;
+  const left = title.right + 5 * theme.scale;
+  if (left + size > end) return title;
+  const middle = (title.top + title.bottom) / 2 + theme.scale;
+  context.strokeStyle = theme.colours.secondary;
+  context.lineWidth = 1.5 * theme.scale;
+  for (const way of [-1, 1]) {
+    const at = (/** @type {number} */ share) => /** @type {const} */ ([left + size / 2 + (way * share * size) / 2, middle - (way * share * size) / 2]);
+    const [tip, corner] = alone ? [at(1), at(0.25)] : [at(0.25), at(1)];
+    const [x, y] = corner;
+    const leg = (alone ? way : -way) * 0.4 * size;
+    context.beginPath();
+    context.moveTo(...tip);
+    context.lineTo(x, y);
+    context.moveTo(x + leg, y);
+    context.lineTo(x, y);
+    context.lineTo(x, y - leg);
+    context.stroke();
+  }
+  return { ...title, right: left + size + 4 };
+}
+
 /** Ways to name curves, longest first: symbol and constant value in words, symbol = value, symbol, letter for all. */
 const NAMINGS = Object.freeze(/** @type {const} */ (["throughout", "value", "symbol", "letter"]));
 

@@ -1,7 +1,7 @@
 // Polygons of velocities and accelerations at the current input, drawn to scale step by step. Loaded on demand.
 import "assur/polygons/style.js";
 import { readDisplayList } from "assur/canvas/display-list.js";
-import { Painter } from "assur/canvas/painter.js";
+import { labelledPoints, Painter } from "assur/canvas/painter.js";
 import { Places } from "assur/canvas/places.js";
 import { Surface } from "assur/canvas/surface.js";
 import { Transform } from "assur/canvas/transform.js";
@@ -9,6 +9,7 @@ import { byId, make, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { subscript } from "assur/core/symbols.js";
 import { axisTitle, unitOf } from "assur/plots/units.js";
+import { alongLines, closeUp } from "assur/polygons/close-up.js";
 import { amount, describeStep } from "assur/polygons/equations.js";
 
 /**
@@ -32,6 +33,7 @@ export class Polygons {
   #back = make("button", { type: "button", class: "control", id: "polygons-back", "data-t": "polygons.back", onclick: () => this.#go(-1) });
   #next = make("button", { type: "button", class: "control", id: "polygons-next", "data-t": "polygons.next", onclick: () => this.#go(1) });
   #all = make("button", { type: "button", class: "control", id: "polygons-all", "data-t": "polygons.all", onclick: () => this.#go(ALL) });
+  #oneScale = make("button", { type: "button", class: "control", id: "polygons-scale", "aria-pressed": "false", "data-t": "polygons.one_scale", onclick: () => this.#keepScale() });
   #step = make("p", { id: "polygon-step", role: "status" });
   #none = make("p", { id: "polygon-none", "data-t": "polygons.none" });
   #equations = make("ol", { id: "polygon-equations" });
@@ -39,6 +41,8 @@ export class Polygons {
   #sheets;
   /** @type {Here | null} */
   #here = null;
+  /** @type {Here | null} with all steps */
+  #whole = null;
   /** @type {Snapshot | null} */
   #snapshot = null;
 
@@ -53,7 +57,7 @@ export class Polygons {
       return { canvas, title, scale, surface, places: new Places() };
     });
     const figures = this.#sheets.map(({ canvas, title, scale }) => make("figure", { class: "polygon" }, [canvas, make("figcaption", {}, [title, scale])]));
-    const steps = make("div", { class: "polygon-steps", role: "group", "data-t-label": "polygons.steps" }, [this.#back, this.#next, this.#all, this.#step]);
+    const steps = make("div", { class: "polygon-steps", role: "group", "data-t-label": "polygons.steps" }, [this.#back, this.#next, this.#all, this.#oneScale, this.#step]);
     this.#drawn = make("div", {}, [steps, make("div", { class: "polygon-sheets" }, figures), this.#equations]);
     this.element = make("section", { id: "polygons-shown", "data-field": "polygons" }, [make("h2", { "data-t": "polygons.heading" }), this.#none, this.#drawn]);
     byId("readouts", HTMLTableElement).after(this.element);
@@ -68,8 +72,10 @@ export class Polygons {
     this.#here = null;
     this.element.hidden = !state.view.polygons;
     if (this.element.hidden) return;
-    const { value, problems } = attempt(() => this.#page.engine.simulator.polygons(frameInput, this.#shown));
+    const drawn = (/** @type {number} */ steps) => attempt(() => this.#page.engine.simulator.polygons(frameInput, steps));
+    const { value, problems } = drawn(this.#shown);
     this.#here = value;
+    this.#whole = value && this.#shown < value.steps.length ? drawn(ALL).value : value;
     // A document that is not a linkage has no polygons at any input.
     this.element.hidden = problems.some(({ code }) => code === NO_LINKAGE);
     this.#none.hidden = this.#here !== null;
@@ -105,7 +111,8 @@ export class Polygons {
     this.#sheets.forEach(({ canvas, title, scale }, order) => {
       const said = axisTitle(panels[order], coordinate, words);
       write(title, said);
-      const { bar, smaller } = pictures[order];
+      const close = this.#closeUp(order);
+      const { bar, smaller } = close ? { bar: close.bar, smaller: 1 } : pictures[order];
       const shown = `├─┤ ${amount(bar, order === 0 ? velocity : acceleration, words)}`;
       write(scale, smaller > 1 ? `${shown}, ${words.text("polygons.smaller", { n: words.numbers.exact(smaller) })}` : shown);
       canvas.setAttribute("aria-label", `${words.text("polygons.heading")}: ${said}`);
@@ -125,10 +132,46 @@ export class Polygons {
     if (!picture || !this.#snapshot || !surface.begin()) return;
     surface.clear();
     const { width, height } = surface;
-    const layers = readDisplayList(Float32Array.from(picture.list), 0, this.#page.engine.roles, picture.names, () => new Path2D());
-    const view = Transform.fit(picture.bounds, width, height, MARGIN);
+    const close = this.#closeUp(order);
+    const layers = readDisplayList(Float32Array.from(close?.list ?? picture.list), 0, this.#page.engine.roles, picture.names, () => new Path2D());
+    const view = close?.view ?? Transform.fit(picture.bounds, width, height, MARGIN);
     this.#painter.shapes(surface, layers, view, POSES);
-    places.begin(surface);
+    if (close) this.#paintBar(surface, close.bar * view.scale);
+    places.begin(surface, labelledPoints(layers, view, POSES), alongLines(layers, view));
     this.#painter.labels(surface, layers, view, POSES, subscript, places, true);
+  }
+  /** Switches between polygons as large as their boxes allow and polygons of one scale for the whole motion. */
+  #keepScale() {
+    this.#oneScale.ariaPressed = String(this.#oneScale.ariaPressed !== "true");
+    this.#page.redraw();
+  }
+
+  /**
+   * @param {number} order
+   * @returns the enlarged polygon; null in motion, and if one scale is chosen
+   */
+  #closeUp(order) {
+    if (this.#snapshot?.state.view.playing || this.#oneScale.ariaPressed === "true") return null;
+    const [picture, whole] = [this.#here, this.#whole].map((here) => here?.pictures[order]);
+    const { surface } = this.#sheets[order];
+    return picture && whole && surface.visible ? closeUp(picture, whole, surface, MARGIN) : null;
+  }
+
+  /**
+   * @param {Surface} surface
+   * @param {number} length of the scale bar, in pixels
+   */
+  #paintBar(surface, length) {
+    surface.toPixels();
+    const { context, height } = surface;
+    const [left, middle] = [10, height - 9];
+    context.strokeStyle = this.#page.theme.colours.ink;
+    context.lineWidth = 2;
+    context.beginPath();
+    for (const [x0, y0, x1, y1] of [[0, 0, length, 0], [0, -4, 0, 4], [length, -4, length, 4]]) {
+      context.moveTo(left + x0, middle + y0);
+      context.lineTo(left + x1, middle + y1);
+    }
+    context.stroke();
   }
 }

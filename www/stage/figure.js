@@ -1,6 +1,6 @@
 // Painting of a snapshot, in the same way on the screen's canvas and in an exported picture.
-import { readDisplayList } from "assur/canvas/display-list.js";
-import { Painter } from "assur/canvas/painter.js";
+import { circleBounds, readDisplayList } from "assur/canvas/display-list.js";
+import { labelledPoints, Painter } from "assur/canvas/painter.js";
 import { Places } from "assur/canvas/places.js";
 import { degrees } from "assur/core/angles.js";
 import { readable } from "assur/core/numbers.js";
@@ -55,6 +55,14 @@ export class Figure {
   /** Positions of the labels. */
   get places() {
     return this.#places;
+  }
+
+  /** @returns {(readonly number[])[]} bounds of each label and circle that changes in motion: xmin, ymin, xmax, ymax */
+  marks() {
+    const layers = this.#changing.filter(({ body }) => body === 0);
+    const labels = layers.flatMap((layer) => layer.labels).map(({ x, y }) => [x, y, x, y]);
+    const circles = layers.flatMap(({ shapes }) => shapes).flatMap(({ record }) => circleBounds(record));
+    return [...labels, ...circles];
   }
 
   /** @param {Snapshot} snapshot snapshot to paint from now on */
@@ -129,8 +137,9 @@ export class Figure {
     const snapshot = this.#snapshot;
     if (!snapshot) return;
     const write = (/** @type {string} */ label) => labelText(label, snapshot);
-    this.#places.begin(size);
-    for (const layers of [this.#still, this.#rigid, this.#changing]) {
+    const all = [this.#still, this.#rigid, this.#changing];
+    this.#places.begin(size, labelledPoints(all.flat(), view, this.#poses));
+    for (const layers of all) {
       this.#painter.labels(target, layers, view, this.#poses, write, this.#places, small);
     }
   }

@@ -219,6 +219,16 @@ export class MechanismView {
     this.#shown();
   }
 
+  /** Fits all that is drawn at this input to the canvas: the mechanism, and the named points and circles of the overlays. */
+  fitAll() {
+    this.fit();
+    const all = joined([this.#fullBounds, ...this.#figure.marks()]);
+    if (this.#kept || this.#fullBounds.every((side, i) => side === all[i])) return;
+    this.#bounds = all;
+    this.#zoom = new Zoom(1, 0, 0);
+    this.#shown();
+  }
+
   /**
    * Fits the view again if the bounds are out of sight, or too small or too large to work with.
    * @param {readonly number[]} bounds xmin, ymin, xmax, ymax
@@ -300,7 +310,7 @@ export class MechanismView {
     const { bounds = [0, 0, 1, 1], handles = [] } = this.#snapshot?.summary ?? {};
     const under = this.#under.flatMap(({ bounds: of }) => [of() ?? []]).filter((one) => one.length > 0);
     const all = under.length > 0 && handles.length === 0 ? under : [bounds, ...under];
-    return [0, 1, 2, 3].map((side) => (side < 2 ? Math.min : Math.max)(...all.map((one) => one[side])));
+    return joined(all);
   }
 
   /** @returns {Edges} */
@@ -359,4 +369,12 @@ export class MechanismView {
     context.fill();
     context.globalAlpha = 1;
   }
+}
+
+/**
+ * @param {readonly (readonly number[])[]} all bounds, at least one: xmin, ymin, xmax, ymax
+ * @returns {readonly number[]} bounds around all of them
+ */
+function joined(all) {
+  return [0, 1, 2, 3].map((side) => (side < 2 ? Math.min : Math.max)(...all.map((one) => one[side])));
 }

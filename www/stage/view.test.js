@@ -26,8 +26,8 @@ globalThis.ResizeObserver ??= class {
 
 const canvasOf = (clientWidth, clientHeight) => ({ clientWidth, clientHeight, dataset: {}, getContext: () => new Context() });
 
-function viewOf(width, height) {
-  const page = new Page("mixer-a");
+function viewOf(width, height, id = "mixer-a", look = {}) {
+  const page = new Page(id, look);
   const view = new MechanismView(canvasOf(width, height), page.engine, themeOf(page.engine.roles));
   view.render(page.now());
   return view;
@@ -62,4 +62,24 @@ test("a new drawing has the scale of an empty sheet, whatever was drawn and zoom
   assert.equal(scale, shown(fresh).view.scale);
   assert.notEqual(scale, before);
   assert.ok(!view.zoomed);
+});
+
+test("all that is shown is brought into view: distant instant centres and circles with the mechanism", () => {
+  const [width, height] = [600, 400];
+  const look = { phi_deg: 140, instant_centres: true, curvature: true };
+  const view = viewOf(width, height, "crank-rocker", look);
+  const before = view.view.scale;
+  // P₀₂ is where the lines of crank and rocker meet: far below the frame, at this input.
+  const far = [Math.cos, Math.sin].map((of) => of((140 * Math.PI) / 180));
+  const along = (/** @type {number} */ t) => /** @type {const} */ ([t * far[0], t * far[1]]);
+  view.fitAll();
+  assert.ok(view.zoomed && view.view.scale < before);
+  const [left, top] = view.view.toScreen(...along(-14.2));
+  assert.ok(left > 0 && left < width && top > 0 && top < height, `${left} ${top}`);
+  view.fit();
+  assert.equal(view.view.scale, before);
+  // Without overlays it is the usual view.
+  const plain = viewOf(width, height, "crank-rocker", { phi_deg: 140 });
+  plain.fitAll();
+  assert.equal(plain.zoomed, false);
 });

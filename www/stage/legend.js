@@ -1,0 +1,39 @@
+// The key to the overlays of instant centres and curvature, which opens over the drawing: what each line and mark is, and a command
+// that brings all of them into view.
+import { byId, make } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
+
+/** @typedef {"instant_centres" | "centrodes" | "curvature"} Overlay */
+
+/**
+ * Lines and marks of each overlay: the role that colours them, their look, and the key of their name.
+ * @type {Readonly<Record<Overlay, readonly (readonly [role: string, look: "line" | "dashed" | "ring" | "dot", name: string])[]>>}
+ */
+const ENTRIES = Object.freeze({
+  instant_centres: [["ink", "ring", "legend.centre"], ["velocity", "line", "legend.kennedy"]],
+  centrodes: [["accent3", "line", "legend.fixed"], ["accent4", "line", "legend.moving"], ["ink", "dot", "legend.pole"]],
+  curvature: [["accent1", "line", "legend.circle"], ["accent1", "dashed", "legend.evolute"], ["accent2", "line", "legend.inflection"]],
+});
+const OVERLAYS = Object.freeze(/** @type {Overlay[]} */ (Object.keys(ENTRIES)));
+
+export class Legend {
+  #box = byId("legend", HTMLElement);
+  #list = byId("legend-entries", HTMLElement);
+  #seen = new Seen();
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor({ mechanism }) {
+    byId("zoom-all", HTMLButtonElement).addEventListener("click", () => mechanism.fitAll());
+  }
+
+  /** @param {import("assur/state/model.js").Snapshot} snapshot */
+  render({ state: { view }, summary, words }) {
+    const on = "points" in summary && !view.drawing ? OVERLAYS.filter((overlay) => view[overlay]) : [];
+    if (this.#seen.same(on.join(), words)) return;
+    this.#box.hidden = on.length === 0;
+    this.#list.replaceChildren(...on.flatMap((overlay) => ENTRIES[overlay]).map(([role, look, name]) => {
+      const mark = make("i", { class: look, style: `color: var(--role-${role})`, "aria-hidden": "true" });
+      return make("li", {}, [mark, " ", words.text(name)]);
+    }));
+  }
+}
