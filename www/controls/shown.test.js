@@ -42,7 +42,8 @@ function asked({ views, snapshot }, withheld) {
 
 /** Texts and numbers of read-outs in the page itself, by the ids of their elements. */
 function written({ table, status }) {
-  const roots = [table, status, ...globalThis.document.sections];
+  const folds = ["show", "structure"].map((fold) => globalThis.document.getElementById(`fold-${fold}`));
+  const roots = [table, status, ...globalThis.document.sections, ...folds];
   const outputs = roots.flatMap((root) => root.all).filter(({ attributes }) => attributes.id);
   return new Map(outputs.map((output) => [output.attributes.id, output]));
 }

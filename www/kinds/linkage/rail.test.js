@@ -12,11 +12,11 @@ const page = { engine, drafts: { has: () => false, drop() {}, text: () => null }
 
 /** What stands beside the fields of a linkage and what they are called: of links and slides, of fixed pivots. */
 function rows(state) {
-  globalThis.document.sections.length = 0;
   const snapshot = snapshotOf(engine, state);
   new LinkageRail(page).render(snapshot);
-  const sections = globalThis.document.sections.slice(1);
-  return sections.map((section) => section.querySelectorAll("[data-field]").map((row) => {
+  const all = globalThis.document.getElementById("fold-dimensions").children.at(-1).querySelectorAll("[data-field]");
+  const isOfPoint = (row) => row.getAttribute("data-field").startsWith("points");
+  return [all.filter((row) => !isOfPoint(row)), all.filter(isOfPoint)].map((rows) => rows.map((row) => {
     const field = row.all.find(({ attributes }) => attributes.type === "text");
     return [row.querySelector("label").textContent, field.getAttribute("aria-label")];
   }));
