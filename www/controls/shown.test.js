@@ -171,7 +171,7 @@ test("the difference from another mechanism does not give away what a lesson ask
   page.store.update((state) => withExtras(state, { compared: { kind: "mixer", document: { ...state.document, l2: 0.9 } } }));
   const snapshot = page.now();
   assert.deepEqual(asked({ views, snapshot }, ["rocker.angle"]), ["difference-rocker.angle", "rocker.angle"]);
-  const { cells } = views.shown.rows("values").find(({ title, cells: [{ id }] }) => title === "A" && id === "a-rocker.angle");
+  const { cells } = views.shown.rows("values").find(({ title, cells: [{ id }] }) => title === "Ⓐ" && id === "a-rocker.angle");
   assert.equal(cells[0].value, degrees(snapshot.compared.readouts.value("rocker.angle")));
   const [a, b] = [snapshot.compared, snapshot].map(({ readouts }) => readouts.value("rocker.angle", 1));
   assert.equal(views.render(snapshot).cells.find(({ id }) => id === "difference-rocker.angle′").value, b - a);
