@@ -22,6 +22,12 @@ export class Header {
     this.#history = history;
     byId("draw", HTMLButtonElement).addEventListener("click", commands.draw);
     for (const name of BUTTONS) byId(name, HTMLButtonElement).addEventListener("click", commands[name]);
+    const status = byId("status-more", HTMLButtonElement);
+    status.addEventListener("click", () => {
+      const open = status.ariaExpanded !== "true";
+      status.setAttribute("aria-expanded", String(open));
+      setData(byId("status", HTMLElement), "open", String(open));
+    });
     this.#settings.addEventListener("click", () => this.fold(this.#settings.ariaExpanded !== "true"));
     // A click closes the menu, also a click on one of its entries. The menu's own button opens and closes it by itself.
     addEventListener("click", ({ target }) => {

@@ -15,7 +15,7 @@ import { change, inputNow } from "assur/state/change.js";
  */
 
 /** Number of dimensions of links that are always in sight; all others are behind a fold. */
-const IN_SIGHT = 7;
+const IN_SIGHT = 6;
 
 /** Key of the name, and the symbol, for each kind of dimension. */
 const KINDS = Object.freeze({
