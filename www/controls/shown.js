@@ -73,14 +73,16 @@ export function isAsked(withheld, name, reveals) {
 }
 
 /**
- * @template {Cell} C
- * @param {C} cell
- * @param {boolean} asked whether a lesson asks for it
- * @param {import("assur/core/words.js").Words} words
- * @returns {C | Cell} the cell, or a question mark in its place
+ * @template {Omit<Cell, "id"> & { id?: string }} C
+ * @param {string} name of a read-out
+ * @param {C} said what the read-out shows; its element has an id of its own if it is not the read-out itself
+ * @param {{ withheld: ReadonlySet<string>, words: import("assur/core/words.js").Words }} snapshot
+ * @param {RegExp} [reveals] as in `isAsked`
+ * @returns {C & { id: string } | Cell} the cell, or one with a question mark if a lesson asks for what it shows
  */
-export function posed(cell, asked, words) {
-  if (!asked) return cell;
+export function cellOf(name, said, { withheld, words }, reveals) {
+  const cell = { id: idOfOutput(name), ...said };
+  if (!isAsked(withheld, name, reveals)) return cell;
   const { id, title, wide } = cell;
   return { id, title, wide, text: "?", asked: words.text("lesson.asked") };
 }

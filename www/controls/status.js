@@ -1,6 +1,6 @@
 // The status line: kind and properties of the mechanism, one entry for each.
 import { writeReadout } from "assur/controls/readout.js";
-import { idOfOutput, isAsked, posed } from "assur/controls/shown.js";
+import { cellOf, idOfOutput } from "assur/controls/shown.js";
 import { byId, make, setData, write } from "assur/core/dom.js";
 
 /** @typedef {{ text: string, value?: number, nodes?: readonly (Node | string)[] }} Said content of an entry. `nodes`: the text with marks */
@@ -68,7 +68,7 @@ export class StatusLine {
    * @param {S} snapshot
    */
   #write(late, snapshot) {
-    const { words, withheld, coordinate } = snapshot;
+    const { words, coordinate } = snapshot;
     const rows = [];
     for (const one of this.#entries) {
       const { item: { name, title: key, n = coordinate.symbol, reveals, late: slow = false, say }, entry, heading, output } = one;
@@ -76,7 +76,7 @@ export class StatusLine {
       const { text = "", value, nodes } = one.said ?? {};
       const title = words.text(key, { n });
       /** @type {import("assur/controls/shown.js").Cell} */
-      const cell = posed({ id: idOfOutput(name), title, text, value }, isAsked(withheld, name, reveals), words);
+      const cell = cellOf(name, { title, text, value }, snapshot, reveals);
       entry.hidden = text === "";
       write(heading, title);
       writeReadout(output, cell);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import "assur/tests/document.js";
-import { posed } from "assur/controls/shown.js";
+import { cellOf } from "assur/controls/shown.js";
 import { numberEntries } from "assur/core/names.js";
 import { Words } from "assur/core/words.js";
 import { FolderLesson } from "assur/lesson/folder.js";
@@ -97,7 +97,7 @@ test("the table of values and the status line are printed as they are shown, and
   const show = ({ shown }) => {
     shown.put("values", [{ title: "", cells: [cell("", "φ")] }, { title: "φ₁ crank", cells: [cell("input", "75°")] }]);
     shown.put("curvature", [{ title: "R of C", cells: [cell("C.radius", "none", { wide: true })] }]);
-    shown.put("status", [{ title: "swing", cells: [posed(cell("swing-rocker", "87.905°"), true, words)] }]);
+    shown.put("status", [{ title: "swing", cells: [cellOf("swing-rocker", { title: "swing", text: "87.905°" }, { withheld: new Set(["swing-rocker"]), words })] }]);
     shown.put("course", [{ title: "arc", cells: [cell("course-arc", "20°")] }]);
   };
   const { sheet } = print("mixer-a", false, show);

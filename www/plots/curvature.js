@@ -1,7 +1,7 @@
 // Read-outs of curvature: radius and centre for paths of traced points, and the diameter of a link's inflection circle.
 import { sentence } from "assur/controls/problems.js";
 import { writeReadout } from "assur/controls/readout.js";
-import { idOfOutput, isAsked, posed } from "assur/controls/shown.js";
+import { cellOf } from "assur/controls/shown.js";
 import { byId, make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -63,10 +63,8 @@ function curvatureRows({ circles, inflection }, words, withheld) {
   /** @type {(role: string, letter: string, low: string, name: string, title: string, cells: readonly Cell[]) => Row} */
   const row = (role, letter, low, name, title, cells) => ({ title: `${letter} ${title}`, letter, low, name, role, cells });
   /** @type {(quantity: string, order: number, letter: string, name: string, said: Pick<Cell, "text" | "value" | "at" | "why" | "wide">) => Cell} */
-  const cell = (quantity, order, letter, name, said) => {
-    const id = idOf(quantity, order);
-    return posed({ id: idOfOutput(id), title: `${idOf(letter, order)} ${name}`, ...said }, isAsked(withheld, id), words);
-  };
+  const cell = (quantity, order, letter, name, said) =>
+    cellOf(idOf(quantity, order), { title: `${idOf(letter, order)} ${name}`, ...said }, { withheld, words });
   const why = (/** @type {import("assur/core/problem.js").Problem | null} */ reason) => ({ text: reason ? sentence(reason, words) : NONE, why: true, wide: true });
   const length = (/** @type {number} */ value, order = 0) => ({ text: quantityText(value, "x", order, words).text, value });
   const rows = circles.flatMap(({ point, radius, centre, reason }) => {

@@ -1,6 +1,6 @@
 // Table of the current input and quantities. The colours of its rows serve as the legend of the drawing and the plots.
 import { writeReadout } from "assur/controls/readout.js";
-import { idOfOutput, posed } from "assur/controls/shown.js";
+import { cellOf, idOfOutput } from "assur/controls/shown.js";
 import { byId, make, setData } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { STROKES, idOf } from "assur/core/quantity.js";
@@ -83,7 +83,7 @@ function headsOf(snapshot) {
 
 /**
  * @param {Snapshot} snapshot
- * @returns {TableRow}
+ * @returns {TableRow} the input, which no lesson withholds
  */
 function inputRow({ state, coordinate, inputShown, words }) {
   const [letter, name] = [coordinate.symbol, words.text(`readouts.input.${coordinate.moves}`)];
@@ -98,26 +98,28 @@ function inputRow({ state, coordinate, inputShown, words }) {
  * @returns {TableRow[]} the row of the quantity and, if mechanism Ⓐ is shown, a row of Ⓐ and one of the difference; Ⓑ is the current mechanism
  */
 function quantityRows(listed, snapshot) {
-  const { readouts, compared, compares, summary: { curves }, withheld, words } = snapshot;
+  const { readouts, compared, compares, summary: { curves }, words } = snapshot;
   const { name: quantity, what, role } = listed;
-  const whose = ofRow(listed, words);
-  const physical = isPhysical(snapshot);
-  /** @type {(idOfCell: (name: string) => string, value: (order: number) => number | undefined, secret?: boolean) => Cell[]} */
-  const cells = (idOfCell, value, secret = true) => STROKES.map((_, order) => {
+  const name = ofRow(listed, words);
+  const letter = letterOf(listed, 0, false);
+  /** @type {(value: (order: number) => number | undefined, cell: (reading: string, said: Omit<Cell, "id">) => Cell) => Cell[]} */
+  const cells = (value, cell) => STROKES.map((_, order) => {
     if (order > 0 && BARE.includes(what)) return BLANK;
-    const name = idOf(quantity, order);
     const known = value(order);
     const said = known === undefined ? { text: NONE } : quantityText(known, what, order, words);
-    return posed({ id: idOfCell(name), title: `${letterOf(listed, order, physical)} ${whose}`, ...said }, secret && withheld.has(name), words);
+    return cell(idOf(quantity, order), { title: `${letterOf(listed, order, isPhysical(snapshot))} ${name}`, ...said });
   });
   const [a, b] = [compared?.readouts, readouts].map((of) => (/** @type {number} */ order) => of?.value(quantity, order));
-  const letter = letterOf(listed, 0, false);
-  const own = { title: `${letter} ${whose}`, letter, name: whose, role, curve: curves.includes(quantity), cells: cells(idOfOutput, b) };
-  if (!compares) return [own];
-  const beside = (/** @type {string} */ name, /** @type {Cell[]} */ values) => ({ title: name, letter: "", name, cells: values });
+  const own = cells(b, (reading, said) => cellOf(reading, said, snapshot));
+  const row = { title: `${letter} ${name}`, letter, name, role, curve: curves.includes(quantity), cells: own };
+  if (!compares) return [row];
   // The difference from Ⓐ would give a withheld value away.
-  const difference = cells((name) => `difference-${name}`, (order) => differenceOf(what, order, a(order), b(order)));
-  return [own, beside("Ⓐ", cells((name) => `a-${name}`, a, false)), beside("Ⓑ − Ⓐ", difference)];
+  const difference = cells((order) => differenceOf(what, order, a(order), b(order)), (reading, said) => cellOf(reading, { id: `difference-${reading}`, ...said }, snapshot));
+  return [
+    row,
+    { title: "Ⓐ", letter: "", name: "Ⓐ", cells: cells(a, (reading, said) => ({ id: `a-${reading}`, ...said })) },
+    { title: "Ⓑ − Ⓐ", letter: "", name: "Ⓑ − Ⓐ", cells: difference },
+  ];
 }
 
 /**

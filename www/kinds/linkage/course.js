@@ -2,7 +2,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { writeReadout } from "assur/controls/readout.js";
 import { fold } from "assur/controls/section.js";
-import { idOfOutput, isAsked, posed } from "assur/controls/shown.js";
+import { cellOf, idOfOutput } from "assur/controls/shown.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
@@ -233,7 +233,8 @@ export class CourseView {
  * @param {Snapshot} snapshot
  * @returns {readonly import("assur/controls/shown.js").Row[]}
  */
-function courseRows({ stroke, dwell }, { summary: { plotted }, coordinate, words, withheld }) {
+function courseRows({ stroke, dwell }, snapshot) {
+  const { summary: { plotted }, coordinate, words } = snapshot;
   const angle = plotted[0].endsWith(".angle");
   const said = (/** @type {number} */ value) => (angle ? words.numbers.angle(value, 4) : words.length(words.numbers.short(value)));
   const none = words.text("dwell.none");
@@ -245,7 +246,6 @@ function courseRows({ stroke, dwell }, { summary: { plotted }, coordinate, words
   };
   return ROWS.map((name) => {
     const [title, text] = told[name];
-    const asked = isAsked(withheld, `course-${name}`, name === "stroke" ? SWING : undefined);
-    return { title, cells: [posed({ id: idOfOutput(`course-${name}`), title, text }, asked, words)] };
+    return { title, cells: [cellOf(`course-${name}`, { title, text }, snapshot, name === "stroke" ? SWING : undefined)] };
   });
 }
