@@ -13,7 +13,8 @@ export function addPlotsButton(words) {
       setData(document.documentElement, "plots", String(shown));
     },
   }, [svg]);
-  byId("draw", HTMLButtonElement).before(button);
-  words.fill(button);
+  const draw = byId("draw", HTMLButtonElement);
+  draw.before(button);
+  words.fill(draw.parentElement ?? document);
   return button;
 }
