@@ -255,10 +255,15 @@ impl Page {
     /// An element, which is awaited: parts of the page are built when they are first shown. The folds of the settings
     /// around it are opened.
     pub(crate) async fn element(&self, id: &str) -> WebElement {
-        let found = async || self.driver.find(By::Id(id)).await.ok();
-        let element = self.seen(id, found).await;
+        let element = self.found(id).await;
         self.unfold(id, ".fold").await;
         element
+    }
+
+    /// An element as it is, perhaps in a closed fold.
+    async fn found(&self, id: &str) -> WebElement {
+        let found = async || self.driver.find(By::Id(id)).await.ok();
+        self.seen(id, found).await
     }
 
     /// Presses the summaries of closed folds around an element, from the outermost.
@@ -350,8 +355,13 @@ impl Page {
 
     /// An attribute of an element, with plain spaces.
     pub(crate) async fn attribute(&self, id: &str, name: &str) -> Option<String> {
-        let found = self.read(id, async |element| element.attr(name).await);
-        found.await.map(|text| plain(&text))
+        loop {
+            match self.found(id).await.attr(name).await {
+                Ok(found) => return found.map(|text| plain(&text)),
+                Err(error) if matches!(*error, WebDriverErrorInner::StaleElementReference(_)) => {}
+                Err(error) => panic!("{id}: {error}"),
+            }
+        }
     }
 
     pub(crate) async fn text(&self, id: &str) -> String {

@@ -117,12 +117,16 @@ async fn all_is_done_by_keys() {
         1e-12,
         "l2",
     );
+    tab_to(&page, "fold-structure").await;
+    page.keys(Key::Enter + "").await;
     tab_to(&page, "mesh-external").await;
     page.keys(Key::Down + "").await;
     assert_near(page.value("out-ratio").await, 2.0, 1e-15, "mesh");
     tab_to(&page, "assembly-1").await;
     page.keys(Key::Right + "").await;
     assert!(page.value("out-rocker.angle").await < 0.0);
+    tab_to(&page, "fold-show").await;
+    page.keys(Key::Enter + "").await;
     for overlay in [
         "traces",
         "centres",
@@ -194,6 +198,8 @@ async fn all_is_done_by_keys() {
     page.keys(Key::Escape + "").await;
     assert!(!page.element("rail").await.is_displayed().await.unwrap());
     page.keys("p").await;
+    tab_to(&page, "menu").await;
+    page.keys(Key::Enter + "").await;
     tab_to(&page, "lang").await;
     page.keys(Key::Down + "").await;
     page.until("Russian", async || {

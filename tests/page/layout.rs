@@ -386,7 +386,8 @@ async fn a_small_drawing_is_saved_as_it_is_shown() {
 #[tokio::test]
 async fn fields_are_in_line_and_buttons_of_a_lesson_whole() {
     let page = Page::open().await;
-    let right = "return ['z4', 'z5', 'beta5'].map((id) => document.getElementById(id).getBoundingClientRect().right)";
+    page.element("field-z4").await;
+    let right = "arguments[0](['field-z4', 'field-z5', 'field-beta5'].map((id) => document.getElementById(id).getBoundingClientRect().right))";
     let edges = page.numbers(right).await;
     assert!(
         edges.iter().all(|edge| (edge - edges[0]).abs() < 0.5),
@@ -395,7 +396,7 @@ async fn fields_are_in_line_and_buttons_of_a_lesson_whole() {
     page.click("menu").await;
     page.click("write-lesson").await;
     page.element("write-read").await;
-    let tall = "return ['write-read', 'write-add'].map((id) => document.getElementById(id).getBoundingClientRect().height)";
+    let tall = "arguments[0](['write-read', 'write-add'].map((id) => document.getElementById(id).getBoundingClientRect().height))";
     let tall = page.numbers(tall).await;
     assert!(tall[0] >= tall[1], "{tall:?}");
     page.close().await;

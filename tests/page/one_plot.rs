@@ -82,7 +82,7 @@ async fn a_press_on_a_title_makes_a_plot_large() {
     page.choose("only", "all").await;
     page.double_click("charts", (60.0, titles[2] + 6.0)).await;
     assert_eq!(orders(&page).await, [2]);
-    assert_eq!(page.value("angle").await, 62.0);
+    assert!(page.written("angle").await.starts_with("62"));
     page.close().await;
 }
 

@@ -121,7 +121,7 @@ function section(key, content) {
  * @param {readonly HTMLElement[]} content
  */
 function folded(key, content) {
-  return make("details", { "data-of": "mixer", class: "fold within" }, [make("summary", { "data-t": key }), ...content]);
+  return make("details", { id: "fold-wheels", "data-of": "mixer", class: "fold within" }, [make("summary", { "data-t": key }), ...content]);
 }
 
 /**
