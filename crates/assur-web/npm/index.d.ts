@@ -1,5 +1,5 @@
 import type { DocumentOf, Problem, View } from "./types/file.js";
-import type { Kind, Summaries, SweepTable } from "./types/web.js";
+import type { Kind, OutputSummary, ProfileSummary, Summaries, SweepTable, TransmissionSummary } from "./types/web.js";
 
 export * from "./engine/assur_web.js";
 export type * from "./types/edit.js";
@@ -23,7 +23,7 @@ export class Mechanism<K extends Kind = Kind> {
    * @throws RangeError if the catalogue has no mechanism of this name
    */
   static named<K extends Kind = Kind>(id: string): Mechanism<K>;
-  /** Structure of the mechanism, and its motion as a whole: range of the input, dead points, swings. */
+  /** Structure of the mechanism, and its motion as a whole: range of the input, dead points, change points. */
   readonly summary: Summaries[K];
   /**
    * @param input input of the driver: radians, a length or seconds
@@ -35,6 +35,15 @@ export class Mechanism<K extends Kind = Kind> {
     /** Values by name, `′` and `″` are their derivatives by the input; null where derivatives are unbounded. */
     readouts: Record<string, number> | null;
   };
+  /**
+   * Swings or strokes, limit positions and time ratios of a linkage's outputs.
+   * @throws EngineError if the mechanism is not a moving linkage; so do the two methods below
+   */
+  outputs(): OutputSummary[];
+  /** The worst transmission or pressure angle of each dyad. */
+  transmissions(): TransmissionSummary[];
+  /** Stroke, longest dwell and phases of the first plotted quantity; null if it is not an output. */
+  profile(): ProfileSummary | null;
   /** The motion as a table with the given number of steps per turn. */
   sweep(steps: number): SweepTable;
   /** Frees the memory of the engine. */

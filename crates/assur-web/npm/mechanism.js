@@ -1,6 +1,9 @@
 // A mechanism from the catalogue or from a document, with its poses. The caller needs no state of the page.
 import { Simulator, catalogue, defaultView } from "./engine/assur_web.js";
 
+/** Suffixes of the names of derivatives, by order. */
+const STROKES = Object.freeze(["", "′", "″"]);
+
 export class Mechanism {
   #simulator = new Simulator();
 
@@ -16,10 +19,22 @@ export class Mechanism {
 
   pose(input) {
     const { frame, readouts: values } = this.#simulator.at(input);
-    const names = this.#simulator.readoutNames();
-    const readouts = values.length === 0 ? null : Object.fromEntries(names.map((name, at) => [name, values[at]]));
+    const named = this.#simulator.readouts().map(({ quantity, order }, at) => [quantity + STROKES[order], values[at]]);
+    const readouts = values.length === 0 ? null : Object.fromEntries(named);
     const bodies = Array.from({ length: frame[0] }, (_, body) => [...frame.subarray(1 + 3 * body, 4 + 3 * body)]);
     return { bodies, readouts };
+  }
+
+  outputs() {
+    return this.#simulator.outputs();
+  }
+
+  transmissions() {
+    return this.#simulator.transmissions();
+  }
+
+  profile() {
+    return this.#simulator.profile();
   }
 
   sweep(steps) {
