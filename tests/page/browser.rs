@@ -270,7 +270,7 @@ impl Page {
     async fn unfold(&self, id: &str, folds: &str) {
         let script = format!(
             "const around = [];
-            for (let at = document.getElementById('{id}'); at; at = at.parentElement)
+            for (let at = document.getElementById('{id}')?.parentElement; at; at = at.parentElement)
                 if (at.matches('details:is({folds}):not([open])')) around.unshift(at);
             for (const one of around) one.querySelector('summary').click();"
         );

@@ -159,6 +159,8 @@ async fn a_picture_is_kept_saved_and_undone_but_in_no_link() {
 async fn a_damaged_picture_is_told_by_its_field() {
     let page = Page::open().await;
     with_scan(&page).await;
+    // An opened file is shown whole.
+    page.click("zoom-fit").await;
     let seen = spots(&page).await;
     let good = saved(&page).await;
     let image = good["picture"]["image"].as_str().unwrap();

@@ -31,7 +31,6 @@ export class PlotColumn {
     edge.addEventListener("pointermove", (event) => this.#move(event));
     edge.addEventListener("pointerup", (event) => this.#up(event));
     edge.addEventListener("pointercancel", () => (this.#held = null));
-    edge.addEventListener("dblclick", () => this.#reset());
     edge.addEventListener("keydown", (event) => this.#key(event));
     new ResizeObserver(() => this.#say()).observe(this.#column);
   }
@@ -61,12 +60,6 @@ export class PlotColumn {
 
   #keep() {
     if (!this.#folded) keep(NAME, String(this.#column.offsetWidth / innerWidth));
-  }
-
-  #reset() {
-    this.#fold(false);
-    this.#share(0);
-    keep(NAME, "");
   }
 
   /** Tells screen readers the width, as a percentage of the window's. */
