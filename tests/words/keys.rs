@@ -118,7 +118,10 @@ pub(super) const BUILT: [(&str, &[&str]); 65] = [
             "www/app/opening.js",
         ],
     ),
-    ("readouts.", &["www/plots/readouts.js"]),
+    (
+        "readouts.",
+        &["www/plots/readouts.js", "www/core/symbols.js"],
+    ),
     (
         "slider.",
         &[
