@@ -57,6 +57,7 @@ async fn controls_are_tapped() {
     tap(&page, "play").await;
     assert_eq!(playing().await.as_deref(), Some("false"));
     let before = page.value("out-input").await;
+    tap(&page, "transport-more").await;
     tap(&page, "step-forward").await;
     assert_near(page.value("out-input").await, before + 1.0, 1e-9, "a step");
 
@@ -83,6 +84,7 @@ async fn controls_are_tapped() {
     assert_eq!(pressed.as_deref(), Some("true"));
     tap(&page, "menu").await;
     tap(&page, "reset").await;
+    tap(&page, "menu").await;
     tap(&page, "projector").await;
     let pressed = page.attribute("projector", "aria-pressed").await;
     assert_eq!(pressed.as_deref(), Some("true"));

@@ -13,9 +13,6 @@ import { inputNow } from "assur/state/change.js";
 /** @type {Readonly<Record<Effect, string>>} keys of the words */
 const WORDS = Object.freeze({ drives: "drag.drives", lengths: "drag.lengths", pivot: "drag.pivot", traced: "drag.traced" });
 
-/** Kinds of documents with handles that have different effects. */
-const KINDS = Object.freeze(["mixer", "linkage"]);
-
 /** From the pointer to the word, in pixels: for a mouse, and for a finger, which covers more. */
 const AWAY = Object.freeze([18, 46]);
 
@@ -26,8 +23,10 @@ const AWAY = Object.freeze([18, 46]);
  * @returns {Effect | null}
  */
 export function effectOf(page, { name, x, y }) {
-  const { kind, document } = page.store.get();
-  if (!KINDS.includes(kind)) return null;
+  const { summary } = page.model;
+  // Where points of links cannot be traced, all handles have the same effect.
+  if (summary.moves === null || !summary.traceable) return null;
+  const { document } = page.store.get();
   const change = attempt(() => page.engine.simulator.drag(name, inputNow(page), x, y)).value;
   if (!change) return null;
   if (!change.document) return "drives";
