@@ -233,6 +233,7 @@ async fn a_damaged_picture_is_told_by_its_field() {
         json!([null, 0])
     );
     page.click("undo").await;
+    page.click("zoom-fit").await;
     back(&page, &seen).await;
     page.close().await;
 }

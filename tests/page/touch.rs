@@ -29,6 +29,7 @@ async fn show(page: &Page, id: &str) {
 
 /// A finger on the middle of an element.
 pub(crate) async fn tap(page: &Page, id: &str) {
+    page.element(id).await;
     show(page, id).await;
     let area = page.element(id).await.rect().await.unwrap();
     page.fingers(id, &[vec![(0.5 * area.width, 0.5 * area.height)]])
