@@ -128,7 +128,7 @@ fn chart_draws_where_its_layout_says() {
             .chunks(4)
             .filter(|pixel| pixel[2] > 230 && pixel[0] < 40)
             .count();
-        assert!(blue >= 4, "{name}: {blue} pixels of the curve at {x}, {y}");
+        assert!(blue >= 4, "{order}: {blue} pixels of the curve at {x}, {y}");
     }
     let bad = simulator.chart(&context, JSON::parse(r#"{"width":-4}"#).unwrap());
     assert_eq!(thrown(bad.unwrap_err())[0].0, "bad_state");
