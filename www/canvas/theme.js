@@ -26,7 +26,7 @@ export class Theme {
   scale = 1;
   /** Thickness of lines relative to the usual one. */
   weight = 1;
-  /** Number of changes of the colours and sizes so far. */
+  /** Number of times the colours and sizes have been read. */
   revision = 0;
 
   /**

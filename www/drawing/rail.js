@@ -34,7 +34,7 @@ export class DrawingRail {
   #seen = { told: new Seen(), chosen: new Seen(), points: new Seen() };
   /** @type {ReadonlyMap<string, readonly [number, number]>} current positions of the points */
   #positions = new Map();
-  /** The point drawn last, whose coordinates get the digits that are typed over the drawing. */
+  /** Name of the newest point. A digit typed outside any field goes into this point's x field (see `type`). */
   #last = "";
 
   /**

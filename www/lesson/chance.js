@@ -52,7 +52,7 @@ export function nameKey(name) {
 /**
  * @param {string} name of a reader
  * @param {number} step of a lesson
- * @returns {() => number} gives the reader's own numbers in the step
+ * @returns {() => number} gives the next random number for this reader and step, at least 0 and less than 1
  */
 export function ownNumbers(name, step) {
   return generator(hash(`${step} ${nameKey(name)}`));

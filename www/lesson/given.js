@@ -13,7 +13,10 @@ import { withoutExtras } from "assur/state/state.js";
 
 /** Fields of a gear train that matter only under load. */
 const LOADED = /^(magnets|bodies|members|load|span_s)\b/;
-/** Fields of a linkage that follow from its points, and the band of its dwell, which does not describe the linkage. */
+/**
+ * Fields of a linkage that are not listed one by one: dimensions and coordinates, for which `ofPoints` prints its own
+ * numbers, and the band within which a dwell is measured, which is no property of the linkage.
+ */
 const BY_POINTS = /^(links|points)\[|^band$/;
 /** Least number of positions at which their weights matter: fewer positions are met exactly. */
 const WEIGHED = 4;

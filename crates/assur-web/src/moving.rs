@@ -25,7 +25,7 @@ pub(crate) type Explain = Box<dyn Fn(&Mechanism, &Unsolved) -> Problem>;
 pub(crate) struct Moving {
     document: LinkageDocument,
     motion: Motion,
-    /// Tracker of all assemblies, made on first use and not on every edit.
+    /// All assemblies, followed from input to input. An edit makes a new `Moving`, so this is only made on first use.
     following: OnceCell<RefCell<Following>>,
     /// Transmission and pressure angles of dyads, which are read out without derivatives.
     transmitting: Vec<Quantity>,

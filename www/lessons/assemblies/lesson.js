@@ -9,7 +9,10 @@ const OVERLAYS = Object.freeze(["traces", "all_assemblies", "others"]);
 /** Control of every step: the section with the pictures and the map of the assemblies. */
 const SECTION = Object.freeze(["all_assemblies"]);
 
-/** Number of assemblies, real and complex, of a group with revolute pairs only, by the group's class and links. */
+/**
+ * Answer for a group of revolute pairs, by class and number of links: its assemblies, real and complex. Fourteen holds
+ * for the group of `class4-dwell`; other groups of Class IV with six links may have more.
+ */
 const COMPLEX = Object.freeze({ "II 2": "two", "III 4": "six", "IV 6": "fourteen" });
 
 /** @type {import("assur/lesson/folder.js").Lesson<"linkage">} */

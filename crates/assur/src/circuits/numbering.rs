@@ -54,7 +54,7 @@ pub(super) fn sort_assemblies<T, const N: usize>(
 /// Error for a number that no assembly has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoAssembly {
-    /// Number of assemblies at the input.
+    /// Number of assemblies found at the input.
     pub of: usize,
     /// True if all assemblies at the input were found.
     pub whole: bool,

@@ -32,7 +32,7 @@ pub struct LinkageSpec {
     /// Gear couplings.
     pub gears: Vec<GearSpec>,
     /// Drivers, one for each degree of freedom. The input is the coordinate of the first driver. The coordinate of each
-    /// further driver changes from its drawn value in proportion to the input.
+    /// further driver changes from its drawn value in proportion to the change of the input from the drawn input.
     pub drivers: Vec<DriverSpec>,
     /// Traced points: points of links that join nothing.
     pub tracers: Vec<TracerSpec>,

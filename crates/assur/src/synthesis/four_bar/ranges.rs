@@ -70,7 +70,7 @@ fn between(shape: &Shape, x: f64) -> bool {
     from.is_none_or(|from| x > from) && to.is_none_or(|to| x < to)
 }
 
-/// Coefficients of |r|² x² as a polynomial in x.
+/// Coefficients of x²|p/x + q + r x|², the squared gap times x², as a polynomial in x, lowest power first.
 fn square(gap: [Complex<f64>; 3]) -> [f64; 5] {
     let [p, q, r] = gap;
     [

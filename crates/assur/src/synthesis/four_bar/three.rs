@@ -151,7 +151,8 @@ mod tests {
         assert!(matches!(found(positions, 0.0), ThreePositions::Same(_)));
     }
 
-    /// With φ₃ at 90° throughout, v cos φ₂ = sin φ₂ + constant. φ₂ of 0°, 90° and 180° requires v = −1 and 2v = 0.
+    /// If φ₃ is 90° in all positions, Freudenstein's equation is v cos φ₂ = sin φ₂ + constant, with v = 1/z₃. Its
+    /// differences for φ₂ = 0°, 90° and 180° are v = −1 and 2v = 0, which contradict each other.
     #[test]
     fn parallel_lines_leave_no_linkage() {
         let positions = [[0.0, FRAC_PI_2], [FRAC_PI_2, FRAC_PI_2], [PI, FRAC_PI_2]];
