@@ -8,8 +8,8 @@ use crate::Jet;
 /// ratio.
 const FAST: f64 = 32.0;
 
-/// Sine of the angle between coupler and rocker at which they are in line within rounding.
-const IN_LINE: f64 = 1e-8;
+/// Greatest step of a derivative of order n, in units of ε φ₅′ⁿ / sin(φ₂ − φ₃). A greater one is no correction of rounding.
+const ROUNDED: f64 = 32.0;
 
 impl FourBar {
     /// Corrects the derivatives of φ₂ and φ₃ by one Newton step on the loop closure, if B is close to D.
@@ -17,16 +17,13 @@ impl FourBar {
     /// There φ₅ and the angles of triangle BCD change fast. In one of the assemblies they change in opposite senses.
     /// The derivatives of order n of their sums φ₂ and φ₃ then have rounding errors of ε φ₅′ⁿ, which differ between φ₂
     /// and φ₃. After the step the loop is closed in all derivatives. The step divides by sin(φ₂ − φ₃), so it is omitted
-    /// if coupler and rocker are in line.
+    /// if coupler and rocker are so nearly in line that it would be greater than these errors.
     pub(super) fn corrected<const N: usize>(&self, pose: Pose<N>, diagonal: Jet<N>) -> Pose<N> {
         let [fast, rate] = [diagonal, pose.coupler].map(|angle| angle.derivative(1).abs());
         if fast <= FAST * rate.max(1.0) {
             return pose;
         }
         let (sine, _) = (pose.coupler - pose.rocker).sin_cos();
-        if sine.value().abs() <= IN_LINE {
-            return pose;
-        }
         let [_, l2, l3, _] = self.lengths;
         let [_, b, c, _] = self.joints(&pose);
         let end = b.offset(pose.coupler, l2, 0.0);
@@ -36,9 +33,22 @@ impl FourBar {
             let (sin, cos) = angle.sin_cos();
             x * cos + y * sin
         };
+        let steps = [
+            along(pose.rocker) / (sine * l2),
+            along(pose.coupler) / (sine * l3),
+        ];
+        let is_rounding = |order: usize| {
+            let limit = ROUNDED * f64::EPSILON * fast.powi(order as i32) / sine.value().abs();
+            steps
+                .iter()
+                .all(|step| step.derivative(order).abs() <= limit)
+        };
+        if !(1..N).all(is_rounding) {
+            return pose;
+        }
         Pose {
-            coupler: pose.coupler + along(pose.rocker) / (sine * l2),
-            rocker: pose.rocker + along(pose.coupler) / (sine * l3),
+            coupler: pose.coupler + steps[0],
+            rocker: pose.rocker + steps[1],
             ..pose
         }
     }
