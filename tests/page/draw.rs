@@ -25,9 +25,8 @@ pub(crate) struct Sheet<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// A new drawing by the menu.
+    /// A new drawing.
     pub(crate) async fn new(page: &'a Page) -> Self {
-        page.click("menu").await;
         page.click("new-drawing").await;
         page.until("the tools", async || {
             page.count("#draw-tools:not([hidden])").await == 1
