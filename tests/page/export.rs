@@ -366,6 +366,29 @@ async fn plots_are_saved_under_a_legend() {
     page.close().await;
 }
 
+/// Drawing mode hides the plots, which are saved nevertheless.
+#[tokio::test]
+async fn plots_are_saved_in_drawing_mode() {
+    let page = Page::playing_at(
+        &format!("{}#crank-rocker&v.drawing=true", crate::host::home()),
+        "en-US",
+    )
+    .await;
+    page.settle().await;
+    let hidden = "return document.getElementById('charts').clientWidth === 0";
+    assert_eq!(page.ask(hidden).await, serde_json::json!(true));
+    open_dialog(&page).await;
+    let png = save(&page, "export-plots-png", "assur-crank-rocker-plots.png").await;
+    let png = Picture::decode(&png);
+    assert_eq!(png.width, 480 * SHARPNESS);
+    assert!(png.cloud(ROCKER).count > 4000, "{:?}", png.cloud(ROCKER));
+    let svg = save_text(&page, "export-plots-svg", "assur-crank-rocker-plots.svg").await;
+    let svg = Document::parse(&svg).unwrap();
+    let labels = texts(&elements(&svg));
+    assert!(labels.iter().any(|text| text == "360°"), "{labels:?}");
+    page.close().await;
+}
+
 /// The page may be dark; what is printed is not.
 #[tokio::test]
 async fn pictures_are_on_light_paper() {

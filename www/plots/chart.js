@@ -18,6 +18,9 @@ import { drawChartText, drawTitleSign } from "assur/plots/text.js";
  * paints over the curves, and returns the covered box in each panel, null for none
  */
 
+/** Size of plots that are saved while the page does not show them, in CSS pixels. */
+const UNSEEN = Object.freeze({ width: 480, height: 540 });
+
 export class ChartView {
   #surface;
   #engine;
@@ -83,9 +86,9 @@ export class ChartView {
     this.#draw();
   }
 
-  /** @returns {import("assur/stage/figure.js").Size} */
+  /** @returns {import("assur/stage/figure.js").Size} size on the page, or `UNSEEN` while the plots are not shown, as in drawing mode */
   get size() {
-    return this.#surface;
+    return this.#surface.visible ? this.#surface : UNSEEN;
   }
 
   /**
@@ -120,7 +123,7 @@ export class ChartView {
    * @returns places of the plots and their labels, and whether they could be drawn
    */
   #paint({ context, ratio }, snapshot, theme, fullDetail) {
-    const { width, height } = this.#surface;
+    const { width, height } = this.size;
     const { palette, scale } = theme;
     const { only } = snapshot.state.view;
     // On a new or resized canvas the value is "miter".
