@@ -68,6 +68,9 @@ export class Page {
     // Canvases have a size only when they are shown.
     byId("app", HTMLElement).hidden = false;
     this.mechanism = new MechanismView(byId("mechanism", HTMLCanvasElement), engine, this.theme);
+    const corner = byId("zoom", HTMLElement);
+    const edge = () => 2 * Number.parseFloat(getComputedStyle(corner).bottom);
+    new ResizeObserver(([{ contentRect: { width, height } }]) => this.mechanism.spare(width + edge(), height + edge())).observe(corner);
     this.chart = new ChartView(byId("charts", HTMLCanvasElement), engine, this.theme, () => this.notices.tell(NO_PLOTS));
 
     const commands = makeCommands(this);

@@ -54,6 +54,8 @@ export class MechanismView {
   #keptSize = "";
   /** @type {() => Insets} */
   #insets = () => ({ top: 0, bottom: 0 });
+  /** Size of the lower right corner that buttons cover, in pixels. */
+  #corner = { width: 0, height: 0 };
   /** @type {string} the joint with a ring around it */
   #ringed = "";
   /** @type {Laid[]} */
@@ -254,6 +256,16 @@ export class MechanismView {
     if (!on) this.release();
   }
 
+  /**
+   * Fits the drawing clear of the buttons in the lower right corner.
+   * @param {number} width of the covered corner, in pixels
+   * @param {number} height
+   */
+  spare(width, height) {
+    this.#corner = { width, height };
+    this.#shown();
+  }
+
   /** Keeps the view during a drag. */
   hold() {
     this.#held = this.view;
@@ -302,7 +314,12 @@ export class MechanismView {
     const { top, bottom } = this.#insets();
     // On a low canvas the drawing keeps half of it, if need be under the tools.
     const share = Math.min(1, height / 2 / Math.max(top + bottom, 1));
-    return Transform.fit(this.#bounds ?? this.#fullBounds, width, height - share * (top + bottom), this.#margin).moved(0, share * top);
+    const bounds = this.#bounds ?? this.#fullBounds;
+    const fitted = Transform.fit(bounds, width, height - share * (top + bottom), this.#margin).moved(0, share * top);
+    const [right, foot] = fitted.toScreen(bounds[2], bounds[1]);
+    const { width: wide, height: high } = this.#corner;
+    const covered = right > width - wide && foot > height - high && high < height / 2;
+    return covered && !this.#kept ? Transform.fit(bounds, width, height - high, this.#margin) : fitted;
   }
 
   /** @returns {readonly number[]} bounds of the mechanism and of what is painted under it; a mechanism without joints counts only if nothing is painted */

@@ -44,6 +44,21 @@ test("a picture shows the mechanism whole and large, whether the stage is seen o
   }
 });
 
+test("buttons in the corner cover nothing of a fitted drawing, and take no room where they cover nothing", () => {
+  const corner = { width: 250, height: 64 };
+  for (const [id, width, height, shrinks] of [["jansen", 360, 300, true], ["jansen", 960, 900, true], ["mixer-a", 600, 630, false]]) {
+    const view = viewOf(width, height, id);
+    const before = view.view.scale;
+    view.spare(corner.width, corner.height);
+    const under = view.joints().filter(({ x, y }) => {
+      const [left, top] = view.view.toScreen(x, y);
+      return left > width - corner.width && top > height - corner.height;
+    });
+    assert.deepEqual(under, [], id);
+    assert.equal(view.view.scale < before, shrinks, `${id} ${width} × ${height}`);
+  }
+});
+
 test("a new drawing has the scale of an empty sheet, whatever was drawn and zoomed before", () => {
   const page = new Page("crank-rocker", { drawing: true });
   const shown = (mechanism) => {
