@@ -86,14 +86,6 @@ export class Engine {
     });
   }
 
-  /**
-   * @param {unknown} value from outside
-   * @returns {State} the state, read and checked
-   */
-  read(value) {
-    return /** @type {State} */ (this.functions.readState(value));
-  }
-
   /** Whether mechanism A is shown. */
   get compares() {
     return this.#compared.shown !== null;

@@ -39,7 +39,7 @@ function judged(value, text) {
   if (size > MAX_LENGTH) return { value: null, problems: [{ code: "too_many_characters", size, max: MAX_LENGTH }] };
   return attempt(() => {
     if (text !== undefined) engine.functions.checkKeys(text);
-    return engine.read(value);
+    return engine.functions.readState(value);
   });
 }
 
@@ -117,7 +117,7 @@ for (let kind = 0; kind < KINDS; kind++) {
 test("what is not damaged is opened", async () => {
   const whole = address();
   const { state } = await takeAddress(barred(whole), engine, habits);
-  assert.deepEqual(state.document, engine.read(sound()).document);
+  assert.deepEqual(state.document, engine.functions.readState(sound()).document);
   assert.deepEqual((await takeFile(new File([JSON.stringify(sound())], NAME), engine, habits)).state, state);
   check(whole, { state, failure: null }, judged(held(whole)), "");
 });

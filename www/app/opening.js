@@ -53,7 +53,7 @@ async function take(kind, unwrap, engine, { calm, lang, projector = false, embed
   let { problems } = unwrapped;
   /** @type {State | null} */
   let value = null;
-  if (problems.length === 0) ({ value, problems } = attempt(() => engine.read(unwrapped.value)));
+  if (problems.length === 0) ({ value, problems } = attempt(() => /** @type {State} */ (engine.functions.readState(unwrapped.value))));
   if (!value) return { state: null, failure: { kind, problems } };
   const { kind: of, document, view } = value;
   const playing = view.playing && !calm;

@@ -46,7 +46,7 @@ test("tests/links.txt has links of both versions", () => {
 test("every mechanism of the catalogue opens by its name, as it stands there", async () => {
   for (const { id, kind, document } of engine.catalogue.presets) {
     const { state } = await takeAddress(`${HOME}#${id}`, engine, habits);
-    assert.deepEqual([state.kind, state.document, state.view.lang], [kind, engine.read(initialState(kind, document, {})).document, "en"], id);
+    assert.deepEqual([state.kind, state.document, state.view.lang], [kind, engine.functions.readState(initialState(kind, document, {})).document, "en"], id);
     assert.equal(engine.catalogue.presetOf(state)?.id, id);
     assert.equal(engine.catalogue.fileName(state), id);
   }
@@ -119,7 +119,7 @@ test("where the browser keeps nothing the page opens all the same", async (t) =>
 test("a picture that was kept comes back behind the very same drawing, and behind no other", async () => {
   const image = `data:image/png;base64,${"A".repeat(200)}`;
   const picture = { image, at: [0, 0], width: 10, turn_deg: 0, opacity: 0.5 };
-  const state = engine.read(withExtras(stateOf(engine, "jansen"), { picture }));
+  const state = engine.functions.readState(withExtras(stateOf(engine, "jansen"), { picture }));
   const sign = `${image.length} ${image.slice(-48)}`;
   kept.set("assur.state", JSON.stringify({ ...state, picture: { ...state.picture, image: sign } }));
   kept.set("assur.image", image);

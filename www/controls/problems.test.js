@@ -113,7 +113,7 @@ test("what is wrong with a lesson is said by its place and its step", () => {
   ]) {
     const lesson = structuredClone(good);
     change(lesson);
-    const { problems } = attempt(() => page.engine.read(withExtras(page.store.get(), { lesson })));
+    const { problems } = attempt(() => page.engine.functions.readState(withExtras(page.store.get(), { lesson })));
     const text = problems.map((problem) => sentence(problem, en)).join(" ");
     assert.ok(text.includes(part), text);
   }

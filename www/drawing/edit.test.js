@@ -83,7 +83,7 @@ test("edits by chance: each is taken or refused with a reason, undone, redone, a
       taken += 1;
       states.push(shown());
       const state = page.store.get();
-      const read = page.engine.read(fromAddress(toAddress(state, null), () => undefined));
+      const read = page.engine.functions.readState(fromAddress(toAddress(state, null), () => undefined));
       assert.deepEqual([read.kind, read.document], [state.kind, state.document]);
     }
     for (const one of states.slice(0, -1).reverse()) {

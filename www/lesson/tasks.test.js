@@ -146,7 +146,7 @@ test("an angle may be told a turn more or less, a length may not", () => {
 test("a lesson is identified by its content, not by how it is written down", () => {
   const jansen = engine.catalogue.preset("jansen");
   const lesson = lessonOf(jansen, [], { quantity: "F.y" });
-  const read = engine.read(withExtras(initialState(jansen.kind, jansen.document, {}), { lesson })).lesson;
+  const read = engine.functions.readState(withExtras(initialState(jansen.kind, jansen.document, {}), { lesson })).lesson;
   assert.equal(digestOf(read, engine), digestOf(lesson, engine));
   assert.notEqual(digestOf({ ...lesson, title: "Other" }, engine), digestOf(lesson, engine));
   // A code of the one lesson is not that of the other.
@@ -232,7 +232,7 @@ test("a lesson that is none is refused by its place", () => {
   const refusal = (change) => {
     const lesson = structuredClone(good);
     change(lesson);
-    return attempt(() => engine.read(withExtras(initialState(jansen.kind, jansen.document, {}), { lesson }))).problems.map((problem) => JSON.stringify(problem)).join();
+    return attempt(() => engine.functions.readState(withExtras(initialState(jansen.kind, jansen.document, {}), { lesson }))).problems.map((problem) => JSON.stringify(problem)).join();
   };
   assert.equal(refusal(() => {}), "");
   for (const [change, said] of [

@@ -24,10 +24,10 @@ test("a state of every mechanism of the catalogue comes back from its address, l
   for (const { id, kind, document } of engine.catalogue.presets) {
     const state = initialState(kind, document, { phi_deg: 12.5, s: 0.25, playing: false, traces: false, lang: "kk", axes: "physical" });
     const long = toAddress(state, null);
-    assert.deepEqual(engine.read(fromAddress(through(long), preset)), engine.read(state), id);
+    assert.deepEqual(engine.functions.readState(fromAddress(through(long), preset)), engine.functions.readState(state), id);
     const short = toAddress(state, { id, usual });
     assert.ok(short.startsWith(`${id}&`) && short.length < 200, short);
-    assert.deepEqual(engine.read(fromAddress(through(short), preset)), engine.read(state), id);
+    assert.deepEqual(engine.functions.readState(fromAddress(through(short), preset)), engine.functions.readState(state), id);
     // Default settings are left out.
     assert.equal(toAddress(initialState(kind, document, { lang: "en" }), { id, usual }), id);
   }
@@ -60,7 +60,7 @@ test("a file holds the whole state, as text that people can read", () => {
     const text = toFile(state);
     assert.deepEqual(fromFile(text), JSON.parse(JSON.stringify(state)));
     assert.ok(text.startsWith("{\n  \"format\": 2,\n") && text.endsWith("}\n"));
-    assert.deepEqual(engine.read(fromFile(text)).document, engine.read(state).document, id);
+    assert.deepEqual(engine.functions.readState(fromFile(text)).document, engine.functions.readState(state).document, id);
   }
 });
 

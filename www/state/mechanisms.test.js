@@ -16,7 +16,7 @@ const preset = (id) => {
   return found && { kind: found.kind, document: found.document, view };
 };
 /** Why what follows a # opens nothing. */
-const opened = (hash) => attempt(() => engine.set(engine.read(fromAddress(hash, preset)))).problems;
+const opened = (hash) => attempt(() => engine.set(engine.functions.readState(fromAddress(hash, preset)))).problems;
 const parts = mechanisms(ROOT);
 
 test("the page links to the whole catalogue and to every file", () => {

@@ -33,7 +33,7 @@ test("positions stand at Chebyshev's places or in even steps, and the linkage is
   // At its positions there is none: the curve crosses nought three times.
   const signs = error.curve.map(([, off]) => Math.sign(off));
   assert.equal(signs.filter((sign, k) => k > 0 && sign !== signs[k - 1]).length, 3);
-  assert.deepEqual(engine.read(fromFile(toFile(state))).document, engine.read(state).document);
+  assert.deepEqual(engine.functions.readState(fromFile(toFile(state))).document, engine.functions.readState(state).document);
   assert.equal(engine.set(stateOf(null, positions)).function, null);
 });
 
