@@ -130,6 +130,49 @@ async fn the_column_of_plots_has_the_width_one_gives_it() {
     page.close().await;
 }
 
+/// The column of settings, too; a lesson that is opened unfolds it.
+#[tokio::test]
+async fn the_column_of_settings_has_the_width_one_gives_it() {
+    let page = Page::open().await;
+    let width = async || {
+        page.numbers("arguments[0]([document.getElementById('rail').offsetWidth])")
+            .await[0]
+    };
+    let by = async |pixels: f64| {
+        page.drag_along("rail-edge", &[(7.0, 90.0), (7.0 + pixels, 90.0)])
+            .await;
+    };
+    let usual = width().await;
+    by(80.0).await;
+    let wide = width().await;
+    assert!((wide - usual - 80.0).abs() <= 2.0, "{usual} {wide}");
+    page.reload().await;
+    assert!((width().await - wide).abs() <= 1.0);
+    page.focus("rail-edge").await;
+    page.keys(Key::Left + "").await;
+    assert!(width().await < wide - 20.0);
+    page.keys(Key::Home + "").await;
+    assert_eq!(width().await, 240.0);
+    by(0.0).await;
+    assert_eq!(width().await, 0.0);
+    page.click("gallery").await;
+    page.until("the gallery", async || {
+        page.count("#gallery-lesson-mixer").await == 1
+    })
+    .await;
+    page.click("gallery-lesson-mixer").await;
+    page.until("the lesson", async || {
+        page.count("#lesson-check:not(:empty)").await == 1
+    })
+    .await;
+    assert!(
+        page.numbers("arguments[0]([document.getElementById('lesson').offsetWidth])")
+            .await[0]
+            >= 320.0
+    );
+    page.close().await;
+}
+
 /// The colour of the rocker's curve.
 const ROCKER: [u8; 3] = [0x00, 0x9E, 0x73];
 

@@ -43,7 +43,9 @@ export class Header {
   /** @param {boolean} open whether projector mode shows the settings beside the drawing */
   fold(open) {
     this.#settings.setAttribute("aria-expanded", String(open));
-    setData(byId("app", HTMLElement), "rail", open ? "open" : "folded");
+    const app = byId("app", HTMLElement);
+    setData(app, "rail", open ? "open" : "folded");
+    if (open) setData(app, "railColumn", "open");
   }
 
   /** Closes the menu and folds the rail. */

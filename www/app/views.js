@@ -8,6 +8,7 @@ import { Pace } from "assur/app/pace.js";
 import { Title } from "assur/app/title.js";
 import { AboutLink } from "assur/controls/about.js";
 import { LengthUnits } from "assur/controls/lengths.js";
+import { Column } from "assur/controls/column.js";
 import { Comparing } from "assur/controls/comparing.js";
 import { Measures } from "assur/controls/measures.js";
 import { ProblemView } from "assur/controls/problems.js";
@@ -18,7 +19,6 @@ import { Bringing } from "assur/core/bringing.js";
 import { byId, setData } from "assur/core/dom.js";
 import { HERE, LATER } from "assur/kinds/index.js";
 import { PlotBar } from "assur/plots/bar.js";
-import { PlotColumn } from "assur/plots/column.js";
 import { ChartCursor } from "assur/plots/cursor.js";
 import { ChartPointer } from "assur/plots/pointer.js";
 import { ReadoutTable } from "assur/plots/readouts.js";
@@ -83,7 +83,10 @@ export class Views {
     this.#opened = store.get().view.playing;
     const cursor = new ChartCursor(byId("chart-cursor", HTMLCanvasElement), theme, chart, engine);
     chart.redrawn = () => cursor.redraw();
-    if (!page.habits.embedding) new PlotColumn();
+    if (!page.habits.embedding) {
+      new Column("rail", "rail", "left");
+      new Column("plots", "plot-column", "right");
+    }
     new ChartPointer(byId("charts", HTMLCanvasElement), cursor, page);
     this.#held = held;
     this.#rendering = new Rendering(() => page.notices.tell(BROKE));

@@ -1,9 +1,6 @@
-// Width of the column of plots: its edge is dragged, folded away by a press, and moved by keys; the browser keeps the width.
+// A column beside the drawing: its edge is dragged, folds it by a press, and is moved by keys; the browser keeps the width.
 import { byId, setData } from "assur/core/dom.js";
 import { keep, kept } from "assur/state/storage.js";
-
-/** Name of the kept width, as a share of the window's width. */
-const NAME = "plots";
 
 /** Greatest movement that is a press and no drag, in pixels. */
 const SLOP = 4;
@@ -17,16 +14,27 @@ const STEP = 24;
 /** Widths at Home and End: the style sheet limits them. */
 const ENDS = Object.freeze({ Home: 1, End: 1e5 });
 
-export class PlotColumn {
+export class Column {
   #app = byId("app", HTMLElement);
-  #edge = byId("plots-edge", HTMLElement);
-  #column = byId("plot-column", HTMLElement);
+  #name;
+  #left;
+  #edge;
+  #column;
   /** @type {{ id: number, x: number, moved: boolean } | null} the pressed pointer */
   #held = null;
 
-  constructor() {
-    this.#share(Number(kept(NAME)) || 0);
-    const edge = this.#edge;
+  /**
+   * @param {"rail" | "plots"} name of the kept width, of the custom property and of the attribute in the style sheet
+   * @param {string} id of the column
+   * @param {"left" | "right"} side of the page at which the column stands
+   */
+  constructor(name, id, side) {
+    this.#name = name;
+    this.#left = side === "left";
+    this.#column = byId(id, HTMLElement);
+    const edge = byId(`${name}-edge`, HTMLElement);
+    this.#edge = edge;
+    this.#share(Number(kept(name)) || 0);
     edge.addEventListener("pointerdown", (event) => this.#down(event));
     edge.addEventListener("pointermove", (event) => this.#move(event));
     edge.addEventListener("pointerup", (event) => this.#up(event));
@@ -36,18 +44,19 @@ export class PlotColumn {
   }
 
   get #folded() {
-    return this.#app.dataset.plots === "folded";
+    return this.#app.dataset[`${this.#name}Column`] === "folded";
   }
 
   /** @param {boolean} folded */
   #fold(folded) {
-    setData(this.#app, "plots", folded ? "folded" : "open");
+    setData(this.#app, `${this.#name}Column`, folded ? "folded" : "open");
   }
 
   /** @param {number} share of the window's width; 0 for the usual width */
   #share(share) {
-    if (share > 0) this.#app.style.setProperty("--plots", `${(100 * share).toFixed(2)}vw`);
-    else this.#app.style.removeProperty("--plots");
+    const property = `--${this.#name}`;
+    if (share > 0) this.#app.style.setProperty(property, `${(100 * share).toFixed(2)}vw`);
+    else this.#app.style.removeProperty(property);
   }
 
   /** @param {number} width in pixels */
@@ -59,7 +68,7 @@ export class PlotColumn {
   }
 
   #keep() {
-    if (!this.#folded) keep(NAME, String(this.#column.offsetWidth / innerWidth));
+    if (!this.#folded) keep(this.#name, String(this.#column.offsetWidth / innerWidth));
   }
 
   /** Tells screen readers the width, as a percentage of the window's. */
@@ -80,7 +89,8 @@ export class PlotColumn {
     if (pointerId !== held?.id) return;
     held.moved ||= Math.abs(clientX - held.x) > SLOP;
     if (!held.moved) return;
-    const width = this.#app.getBoundingClientRect().right - clientX;
+    const { left, right } = this.#app.getBoundingClientRect();
+    const width = this.#left ? clientX - left : right - clientX;
     if (width < LEAST) this.#fold(true);
     else this.#widen(width);
   }
@@ -99,8 +109,7 @@ export class PlotColumn {
     const { key } = event;
     const width = this.#folded ? 0 : this.#column.offsetWidth;
     if (key === "Enter") this.#fold(!this.#folded);
-    else if (key === "ArrowLeft") this.#widen(width + STEP);
-    else if (key === "ArrowRight") this.#widen(Math.max(width - STEP, 1));
+    else if (key === "ArrowLeft" || key === "ArrowRight") this.#widen(Math.max(width + ((key === "ArrowRight") === this.#left ? STEP : -STEP), 1));
     else if (key === "Home" || key === "End") this.#widen(ENDS[key]);
     else return;
     event.preventDefault();
