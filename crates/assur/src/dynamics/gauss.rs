@@ -57,7 +57,8 @@ const fn squared() -> [[f64; 3]; 3] {
 /// Maximum number of iterations; about 5 are usual.
 const ITERATIONS: usize = 40;
 
-/// Relative change of the accelerations that may be rounding. Below it the iteration ends if the change stops falling.
+/// Relative change of the accelerations that may be rounding. If the change is below this level and stops falling, the
+/// iteration ends.
 const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
@@ -81,7 +82,7 @@ pub(super) struct Step {
     pub(super) stages: [(Moment, [f64; N], f64); 3],
 }
 
-/// Accelerations at the stages of the previous step, from which those of the next step are extrapolated.
+/// Accelerations at the stages of the previous step. The accelerations of the next step are extrapolated from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Past {
     length: f64,
