@@ -302,7 +302,7 @@ impl Turning {
         })
     }
 
-    /// Motor that moves a driven shaft, and the ratio of the shaft's motion to that of the motor.
+    /// Motor that moves a driven shaft, and the ratio of the shaft's motion to the motion of the motor.
     fn motor(&self, this: usize) -> (Motor, f64) {
         match (self.driven[this].1, self.driven[1 - this].1) {
             (Motor::Other(factor), other) => (other, factor),
