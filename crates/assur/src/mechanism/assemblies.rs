@@ -83,7 +83,8 @@ impl Mechanism {
     /// All assemblies at an input, in radians or as the coordinate of a driven slide. Dyads are solved in closed form,
     /// other groups over the complex numbers, so that no solution is missed. Wheels keep their mounting.
     ///
-    /// The assemblies are in no particular order, without repetition, and without those that meet in a singular pose.
+    /// The assemblies are in no particular order and without repetition. Assemblies that meet in a singular pose are
+    /// left out.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
         let found = self

@@ -12,10 +12,10 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving, in the coordinates of the drawing. Each of its coordinates is that
-    /// of the first fixed point if this exceeds twice the size of the drawing, since large coordinates lose digits;
-    /// otherwise 0. Subtracting it is exact (Sterbenz's lemma), so a direction given by two points close together is
-    /// not changed.
+    /// Origin of the coordinates used while solving, in the coordinates of the drawing. Large coordinates lose digits.
+    /// If a coordinate of the first fixed point exceeds twice the size of the drawing, it is the coordinate of the
+    /// origin; otherwise this coordinate of the origin is 0. Subtracting the origin is exact (Sterbenz's lemma), so a
+    /// direction given by two points close together is not changed.
     pub(in crate::mechanism) origin: Vector,
     /// Drawn positions of the points, relative to `origin`.
     pub(in crate::mechanism) places: List<PointId, Vector>,
@@ -202,8 +202,8 @@ impl<'a> Resolved<'a> {
     }
 }
 
-/// Body of a link: its own, or that of the link to which it is ultimately fixed. None if links are fixed to each other
-/// in a ring.
+/// Body of a link: the link's own body, or the body of the link to which it is ultimately fixed. None if links are
+/// fixed to each other in a ring.
 fn body(
     link: LinkId,
     bases: &List<LinkId, Option<LinkOrFrame>>,
