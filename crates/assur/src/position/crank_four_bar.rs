@@ -23,8 +23,8 @@ pub(crate) struct CrankFourBar {
     pub(crate) rocker: BodyId,
     /// Angle of the coupler's body minus φ₂, and angle of the rocker's body minus φ₃.
     arm_offsets: [f64; 2],
-    /// Bound of the margins P and Q. If both exceed it, the links are placed as in any dyad; infinite if this is never
-    /// permitted.
+    /// Level of the margins P and Q above which the links are placed as in any dyad. Infinite if they are never placed
+    /// in this way.
     min_margin: f64,
     /// Angles of the bodies of coupler and rocker at φ₂ = φ₃ = π/2, each with the unit vector in its direction.
     across: [(f64, Vector); 2],

@@ -64,8 +64,8 @@ impl Group {
     }
 
     /// Tracks all assemblies from their extrapolations; None if some are lost or do not stay distinct. The flag is
-    /// false if a pair was lost and then found again from its mean: a real pair may become complex, and a complex pair
-    /// real.
+    /// false if a pair was lost and then found again from its mean. In this case a real pair may have become complex,
+    /// or a complex pair real.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,
@@ -205,7 +205,7 @@ impl Group {
     }
 }
 
-/// Drops duplicates: of solutions that converged to the same point, the one closest to its extrapolation is kept.
+/// Drops duplicates. If several solutions converged to the same point, the one closest to its extrapolation is kept.
 fn drop_duplicates(distances: &mut [Option<f64>], all: &[C], distance: fn(&[C], &[C]) -> f64) {
     let size = all.len() / distances.len().max(1);
     let at = |k: usize| &all[k * size..][..size];

@@ -293,7 +293,8 @@ impl Group {
         }
     }
 
-    /// True if no turn e^(iθ) in an angle constraint changes by more than ½, as the bounds of the angles assume.
+    /// True if no turn e^(iθ) in an angle constraint changes by more than ½. The bounds of the angles hold only under
+    /// this condition.
     fn turns_are_bounded(&self, cell: &Enclosure, radius: f64) -> bool {
         let meshed = self.equations.iter().filter_map(|equation| match equation {
             Equation::Angle { turns, .. } => Some(turns),
