@@ -79,7 +79,7 @@ pub(super) fn verdict(
     })
 }
 
-/// Positions on the motions of a linkage: whether and in which order the linkage passes through them.
+/// Passage of a linkage through the positions, and the order in which it meets them.
 struct Way {
     passage: Passage,
     /// The assembly of the positions; none if coupler and output are in line at all of them.
