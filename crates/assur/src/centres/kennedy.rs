@@ -7,7 +7,7 @@ use crate::mechanism::{Joint, Mechanism, Pose};
 use crate::perpendicular;
 use crate::tolerance;
 
-/// A known centre or line as a unit vector of homogeneous coordinates, with a bound on the error.
+/// A known centre or line: a unit vector of homogeneous coordinates, with a bound on its error.
 #[derive(Clone, Copy)]
 struct Known {
     place: Place,
