@@ -184,7 +184,8 @@ fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N];
 mod tests {
     use super::*;
 
-    /// Four equations at once: a pendulum, a damped oscillator, a fan running down, a force that grows with time.
+    /// Accelerations of four independent coordinates: a pendulum, a damped oscillator, a fan that runs down, and a
+    /// force that grows with time.
     fn accelerations(start: f64, q: &[f64; N], moment: &Moment) -> [f64; N] {
         let at = |n: usize| q[n] + moment.moved[n];
         let v = moment.rates;
