@@ -261,7 +261,8 @@ impl<'a, const N: usize> Search<'a, N> {
         self.at.signs[*step] = Sign::Plus;
     }
 
-    /// Places the bodies of a step (`solved` if its unknowns are already known), then those of the remaining steps.
+    /// Places the bodies of a step, then the bodies of the remaining steps. `solved` is true if the unknowns of the
+    /// step are already known.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;

@@ -125,8 +125,8 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel looks the same at any angle, or returns to its angle whenever the crank or rocker that turns it
-    /// does.
+    /// True if a wheel looks the same at any angle, or if it is at its initial angle again whenever the crank or rocker
+    /// that turns it is.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;

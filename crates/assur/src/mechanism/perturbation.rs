@@ -243,8 +243,8 @@ impl Layout {
         })
     }
 
-    /// The step whose links moved too far for a neighbour, or may be in another assembly; None if there is no such
-    /// step.
+    /// A step whose links moved too far for a neighbour, or whose links may be in another assembly; None if there is no
+    /// such step.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, MAX_CHANGE);
         if let Some(body) = moved {

@@ -345,7 +345,7 @@ impl Layout {
                 (a - b).abs() <= tolerance::DOUBLE_ROOT
             });
             let alike = alike.count();
-            // Links may be in line in one of the poses, where cancellation makes angular velocities inexact.
+            // One pose may deviate: links may be in line there, and cancellation then makes angular velocities inexact.
             2 * alike > poses.len() && alike + 1 >= poses.len()
         };
         let mut parallel = Vec::new();

@@ -1,4 +1,4 @@
-//! Specification with indices in place of names; every named object exists.
+//! Specification with indices in place of names. Every object referred to exists.
 
 use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
@@ -12,9 +12,9 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving, in the coordinates of the drawing. Large coordinates lose digits.
-    /// If a coordinate of the first fixed point exceeds twice the size of the drawing, it is the coordinate of the
-    /// origin; otherwise this coordinate of the origin is 0. Subtracting the origin is exact (Sterbenz's lemma), so a
+    /// Origin of the coordinates used while solving, in the coordinates of the drawing. It is 0 on each axis on which
+    /// the coordinate of the first fixed point is at most twice the size of the drawing. On any other axis it equals
+    /// this coordinate, because large coordinates lose digits. Subtracting the origin is exact (Sterbenz's lemma), so a
     /// direction given by two points close together is not changed.
     pub(in crate::mechanism) origin: Vector,
     /// Drawn positions of the points, relative to `origin`.
@@ -26,7 +26,7 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) drivers: Vec<Driver>,
     /// Tracers with the links that carry them.
     pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
-    /// Link from which each body is made, to which others may be fixed; None for the frame.
+    /// Link from which each body is made; other links may be fixed to it. None for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
     /// Points that doubled links add to each body, with their positions on the body.
     pub(in crate::mechanism) brought: List<BodyId, Vec<(PointId, Vector)>>,
