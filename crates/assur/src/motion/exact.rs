@@ -298,8 +298,8 @@ impl System {
         })
     }
 
-    /// Adds the constraint that links which hardly turn, relative to the frame or to each other, do not turn at all.
-    /// Without this constraint the exact drawing is a double root.
+    /// Finds the links that hardly turn relative to the frame or to each other, and adds the constraint that they do
+    /// not turn at all. Without this constraint the exact drawing is a double root.
     fn keep_parallel(&mut self, all: &[f64]) {
         let width = 2 * self.drawn.len();
         let stay_parallel = |one: Option<[usize; 2]>, other: [usize; 2]| {

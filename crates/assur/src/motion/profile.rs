@@ -304,7 +304,7 @@ impl<'a> OutputProfile<'a> {
     }
 
     /// Strokes between neighbouring extrema or ends of the arc, each with the inputs and values at its ends. Empty for
-    /// a full cycle without extrema, such as that of an angle that only increases.
+    /// a full cycle without extrema, for example of an angle that only increases.
     pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
         if self.period.is_some() && self.monotone {
             return Vec::new();

@@ -134,7 +134,7 @@ impl Knots {
         self.margins[step]
     }
 
-    /// Scales the determinants of a group by a power of two.
+    /// Scales the determinants of a group by `factor`, a power of two.
     pub(in crate::motion) fn scale_margins(&mut self, step: StepId, factor: f64) {
         for knot in &mut self.list {
             knot.margins[step] *= factor;
