@@ -91,8 +91,8 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// Sets the angles of the two links after they were placed as those of any dyad. The whole turns of each angle
-    /// follow from a constant angle, from which it differs by at most half a turn.
+    /// Sets the angles of the two links after they were placed like the links of any dyad. The whole turns of each
+    /// angle follow from a constant angle, from which it differs by at most half a turn.
     ///
     /// If the crank is shorter than the frame, the direction φ₅ of the diagonal is within a quarter turn of AD. So φ₂
     /// and φ₃ are within half a turn of π/2 or, for the sign minus, of −π/2.

@@ -1,5 +1,6 @@
 //! Tracking of the assemblies of a group from input to input, each by Newton's method from its extrapolation. The set
-//! is complete if the number of distinct assemblies is that for general dimensions. If not, all are computed again.
+//! is complete if it has as many distinct assemblies as for general dimensions. If not, all assemblies are computed
+//! again.
 //!
 //! Two real assemblies that meet continue as a pair of conjugate assemblies, and conversely. The square of half their
 //! difference passes through zero almost linearly. So two samples before the meeting predict the difference after it.

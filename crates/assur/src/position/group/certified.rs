@@ -233,7 +233,8 @@ impl Group {
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// Inverts the Jacobian; false if it is singular. A redundant equation that is left out has a zero column.
+    /// Inverts the Jacobian; false if it is singular. A redundant equation that is left out has a zero column in the
+    /// inverse.
     fn invert(&self, cell: &mut Enclosure) -> bool {
         let [rows, size] = [self.equations.len(), 2 * self.unknowns];
         let Enclosure { work, bounds, .. } = cell;
