@@ -118,7 +118,7 @@ mod tests {
     }
 
     /// Output 3 at 90° leaves p = (1, −3). An input z₃ along the frame closes the loop if (1 − z₃)² + 9 = z₁². For z₁²
-    /// = 9.25, z₃ is 1/2 or 3/2. For z₁ = 5 it is 5 (or −3). For z₁ < 3 there is none.
+    /// = 9.25, z₃ is 1/2 or 3/2. For z₁ = 5 it is 5; the other root, −3, is negative. For z₁ < 3 there is no root.
     #[test]
     fn inputs_that_close_are_the_positive_roots_of_a_quadratic() {
         let frame = Frame {

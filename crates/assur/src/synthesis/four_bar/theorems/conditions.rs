@@ -77,7 +77,7 @@ pub struct Theorem {
     /// True if its conditions hold, as printed.
     pub conditions: bool,
     /// True if its conclusion holds: lengths exist that are real (theorems 1, 2), not negative (3, 5) or positive (4).
-    /// If only `conditions` is true, the theorem is false; if only `truth` is true, it requires too much.
+    /// If only `conditions` is true, the theorem is false. If only `truth` is true, its conditions require too much.
     pub truth: bool,
 }
 
