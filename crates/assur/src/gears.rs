@@ -16,7 +16,7 @@ pub const TEETH: (f64, f64) = (3.0, 1000.0);
 /// Height of a tooth above the pitch circle, in modules.
 const ADDENDUM: f64 = 1.0;
 
-/// How two wheels mesh.
+/// Type of mesh of two wheels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mesh {
     /// External teeth on both wheels: they turn in opposite senses.
@@ -108,7 +108,7 @@ impl GearPair {
         }
     }
 
-    /// The kind of mesh.
+    /// Type of mesh.
     pub fn mesh(&self) -> Mesh {
         self.mesh
     }

@@ -75,8 +75,8 @@ impl<const N: usize> JetPoint<N> {
 mod tests {
     use super::*;
 
-    /// The segment has the length 5. The foot of the perpendicular from (4, 3) is 24/5 from its start, that from (−2.8,
-    /// 4.6) is 2 from its start.
+    /// The segment has the length 5. The feet of the perpendiculars from (4, 3) and from (−2.8, 4.6) are 24/5 and 2
+    /// from the start of the segment.
     #[test]
     fn nearest_point_of_a_segment_is_the_foot_or_an_end() {
         let (from, to) = (Point::origin(), Point::new(3.0, 4.0));

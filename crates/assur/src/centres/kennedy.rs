@@ -7,7 +7,7 @@ use crate::mechanism::{Joint, Mechanism, Pose};
 use crate::perpendicular;
 use crate::tolerance;
 
-/// A known centre or line as a unit vector of homogeneous coordinates, with a bound on the error.
+/// A known centre or line: a unit vector of homogeneous coordinates, with a bound on its error.
 #[derive(Clone, Copy)]
 struct Known {
     place: Place,
@@ -20,7 +20,7 @@ impl Known {
         let product = self.place.cross(&other.place);
         let sine = product.norm();
         let off = (self.off + other.off + tolerance::EXACT) / sine;
-        // With a larger error the two nearly coincide, and the result is not used.
+        // With a larger error the joined places nearly coincide, and their line or intersection is not used.
         (off < tolerance::DOUBLE_ROOT).then(|| Self {
             place: product / sine,
             off,
@@ -146,8 +146,9 @@ impl Table<'_> {
         }
     }
 
-    /// Finds the centre of two bodies as the intersection of two of Kennedy's lines, and the third body of each line.
-    /// Takes the first accurate intersection or, if none is accurate, the one with the smallest error.
+    /// Finds the centre of two bodies as the intersection of two of Kennedy's lines. Also returns the third body on
+    /// each of these lines. Of the intersections, the first accurate one is taken; if none is accurate, the one with
+    /// the smallest error.
     fn crossing(&self, [first, second]: [BodyId; 2]) -> Option<([BodyId; 2], Known)> {
         let lines = self.mechanism.bodies().filter_map(|by| {
             let line = self.of([first, by])?.joined(self.of([by, second])?)?;

@@ -37,7 +37,7 @@ pub enum Centre {
 pub enum Source {
     /// The links are joined. The centre is at a hinge, at infinity normal to a slide, or at the pitch point of a mesh.
     Joint,
-    /// Intersection of two of Kennedy's lines. For the centre of links i and j, with the links k and l given here, the
+    /// Intersection of two of Kennedy's lines. Let i and j be the two links, and k and l the links given here. The
     /// lines are `P_ik P_kj` and `P_il P_lj`, where `P_ik` is the centre of links i and k.
     Kennedy([BodyId; 2]),
     /// From the velocities of the links: no two lines lead to the centre, or the lines nearly coincide.
@@ -68,8 +68,8 @@ pub struct InstantCentre {
 }
 
 impl Mechanism {
-    /// Lists the instant centres of all pairs of bodies in a pose with at least one derivative. The order is that of
-    /// derivation: centres of joined bodies, then centres by Kennedy's lines through earlier centres, then the rest.
+    /// Lists the instant centres of all pairs of bodies in a pose with at least one derivative: first those of joined
+    /// bodies, then those found by Kennedy's lines through earlier centres, then the rest.
     pub fn instant_centres<const N: usize>(&self, pose: &Pose<N>) -> Vec<InstantCentre> {
         let mut centres = self.kennedy(pose);
         let by_velocities = self.centres_by_velocities(pose).into_iter();
@@ -170,8 +170,9 @@ mod tests {
         }
     }
 
-    /// Crank from (0, 0) to (1, 1), rocker from (6, 0) to (4, 2). Their lines y = x and y = 6 − x meet in (3, 3), and
-    /// the coupler's line y = (x + 2)/3 meets the frame in (−2, 0): the rocker turns at 2/8 of the speed of the crank.
+    /// A crank from (0, 0) to (1, 1) and a rocker from (6, 0) to (4, 2). The lines of crank and rocker, y = x and y = 6
+    /// − x, meet in (3, 3). The line of the coupler, y = (x + 2)/3, meets that of the frame in (−2, 0), so the rocker
+    /// turns at 2/8 of the speed of the crank.
     #[test]
     fn the_six_centres_of_a_four_bar() {
         let four_bar = LinkageSpec::default()
@@ -201,9 +202,9 @@ mod tests {
         assert!((rate - 0.25).abs() < 1e-14, "{rate}");
     }
 
-    /// A slider-crank with the crank 3 at a right angle to the slide, and a rod from (0, 3) to (4, 0). The rod
-    /// translates for an instant. Crank and slider have the same velocity at B, where the rod meets the normal to the
-    /// slide through A.
+    /// A slider-crank with a crank of length 3 at a right angle to the slide, and a rod from B at (0, 3) to (4, 0). The
+    /// rod translates for an instant. Crank and slider have the same velocity at B, where the rod meets the normal to
+    /// the slide through the pivot A.
     #[test]
     fn a_crank_at_a_right_angle_to_the_slide_moves_the_rod_without_turning_it() {
         let slider_crank = slider_crank([[0.0, 3.0], [4.0, 0.0]]);
@@ -217,9 +218,9 @@ mod tests {
         );
     }
 
-    /// A slotted lever about (0, 0) with its block at the end (3, 4) of a crank about (3, 0). The centre of crank and
-    /// lever is on the frame's line, where the normal to the slot at (3, 4) meets it: 3 + 16/3 from the pivot of the
-    /// lever.
+    /// A slotted lever about (0, 0), with its block at the end (3, 4) of a crank about (3, 0). The centre of crank and
+    /// lever is on the line through the two fixed pivots, where the normal to the slot at (3, 4) meets this line: 3 +
+    /// 16/3 from the pivot of the lever.
     #[test]
     fn crank_and_slotted_lever_meet_on_the_normal_of_the_slot() {
         let lever = LinkageSpec::default()

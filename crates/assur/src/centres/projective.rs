@@ -64,7 +64,8 @@ mod tests {
         assert_eq!(crossing, Vector::new(7.0, 1.0));
     }
 
-    /// The three points (0, 1), (2, 2) and (4, 3) are on one line, so their determinant is zero; with (4, 4) it is 2.
+    /// The three points (0, 1), (2, 2) and (4, 3) are on one line, so their determinant is zero. If the third point is
+    /// (4, 4), the determinant is 2.
     #[test]
     fn the_determinant_of_points_on_a_line_is_zero() {
         let [a, b] = [[0.0, 1.0], [2.0, 2.0]].map(|place| at(Vector::from(place)));

@@ -13,9 +13,10 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Finds the domain of a mechanism: one period, cut off after `max_turns` turns. Without a period it is the
-    /// interval of inputs within the ranges of all driven slides or, if that is unlimited, one turn on either side of
-    /// the drawn input. The flag is false if the period is cut off or the interval is unlimited.
+    /// Finds the domain of a mechanism: one period, cut off after `max_turns` turns. If there is no period, the domain
+    /// is the interval of inputs within the ranges of all driven slides. If this interval is unlimited, the domain is
+    /// one turn on either side of the drawn input. The flag is false if the period is cut off or the interval is
+    /// unlimited.
     pub(super) fn of(mechanism: &Mechanism, max_turns: usize) -> (Self, bool) {
         match mechanism.turns_of_assemblies() {
             Some(turns) => {

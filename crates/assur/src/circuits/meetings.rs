@@ -171,7 +171,8 @@ fn ends_of<'a>(
     })
 }
 
-/// Finds the circuit of each branch, as a connected component. The numbers of the circuits are in no particular order.
+/// Finds the circuit of each branch: the circuits are the connected components of the graph of branches and meetings.
+/// Their numbers are in no particular order.
 pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
     let mut circuits: Vec<usize> = (0..branches).collect();
     for meeting in meetings {

@@ -162,7 +162,10 @@ impl Circuits {
     ///
     /// Always false if a group contains wheels in mesh or redundant constraints, if a motion comes too close to a
     /// singular pose or is too long to follow, if the range of the input is not fully searched, or if a limit of work
-    /// is reached. A branch shorter than a millionth of a turn may be missed.
+    /// is reached.
+    ///
+    /// A short branch may be missed: one shorter than a millionth of the searched range of the input or, next to an
+    /// input at which guides are parallel, shorter than a thousandth.
     pub fn is_whole(&self) -> bool {
         self.whole
     }

@@ -48,7 +48,8 @@ mod tests {
         assert_eq!(ascending(&rows), [2, 5, 4, 3, 1, 0]);
     }
 
-    /// Rows whose first values differ by rounding are ordered by their second values, even at the edge of a grid cell.
+    /// Rows whose first values differ by rounding are ordered by their second values, also where rounding to a grid
+    /// would separate the first values.
     #[test]
     fn rounding_does_not_swap_rows() {
         for edge in 0..2_000 {

@@ -17,10 +17,11 @@ use crate::position::{ComplexPair, Group, Step};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Position of a new sample, as a fraction of an interval. Avoids special poses, in which linkages are often drawn.
+/// Position of a new sample, as a fraction of an interval. Linkages are often drawn in special poses at simple
+/// fractions of a turn, which this fraction avoids.
 const GOLDEN_SECTION: f64 = 0.381_966;
-/// A complex pair may become real in a gap between samples if its extrapolated zero is less than this many widths of
-/// the gap away.
+/// Reach of the extrapolation from a sample, in widths of the gap to the next sample. A complex pair may become real in
+/// the gap if its squared distance is extrapolated to zero within this reach.
 const EXTRAPOLATION: f64 = 1.5;
 /// A pair predicted to become real before this fraction of a gap belongs to a new branch, not to a branch known to
 /// start at the end of the gap.
@@ -71,7 +72,8 @@ struct Sample {
 struct Division<'a> {
     input: f64,
     sample: Option<&'a Sample>,
-    /// Numbers of branches that run from a fold at this input to greater inputs, and to smaller inputs.
+    /// Numbers of branches that start from a fold at this input: those that run to greater inputs, and those that run
+    /// to smaller inputs.
     starts: [usize; 2],
 }
 
@@ -254,7 +256,7 @@ impl<'a> Search<'a> {
         divisions
     }
 
-    /// Inputs for new samples in the gaps between divisions in which a branch may have been missed.
+    /// Inputs for new samples, one in each gap between divisions in which a branch may have been missed.
     fn inputs_in_gaps(&self) -> Vec<f64> {
         let divisions = self.divisions();
         let span = self.domain.span();
@@ -307,8 +309,8 @@ impl<'a> Search<'a> {
 }
 
 impl Sample {
-    /// True if a complex pair may become real early in a gap, or more pairs in the whole gap than `known`, the number
-    /// of known branches that start at the far end of the gap.
+    /// True if a complex pair may become real early in a gap. Also true if more pairs may become real in the whole gap
+    /// than `known`, the number of known branches that start at the far end of the gap.
     fn may_become_real(&self, sense: f64, gap: f64, known: usize) -> bool {
         let mut expected = 0;
         for distance in zeros(&self.complex, sense, EXTRAPOLATION * gap) {
@@ -328,7 +330,7 @@ impl Sample {
     }
 }
 
-/// Distances, in a given direction and below a limit, at which the linear extrapolations of squares are zero.
+/// Distances at which the linear extrapolations of squares are zero, in a given direction and below a limit.
 fn zeros(squares: &[ComplexPair], sense: f64, limit: f64) -> impl Iterator<Item = f64> {
     let zero = move |pair: &ComplexPair| -pair.square / (pair.slope * sense);
     let distances = squares.iter().map(zero);

@@ -22,7 +22,7 @@ pub(super) fn relations(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// Both sides of each equation (1). The last, for LH, is not printed.
+/// Both sides of each of the paper's equations (1). The last equation, for LH, is not printed in the paper.
 fn first_order(places: &Places) -> Vec<Relation> {
     let Places {
         b,
@@ -232,7 +232,8 @@ fn second_order(places: &Places) -> Vec<Relation> {
     all
 }
 
-/// x_EB = x_E − x_B and the other differences, including those of LH, which the paper uses but does not list.
+/// The differences of coordinates, such as x_EB = x_E − x_B. The differences of LH are included, which the paper uses
+/// but does not list.
 fn differences(places: &Places) -> Vec<Relation> {
     let all: [([&str; 2], Way); 12] = [
         (["x_EB", "y_EB"], places.eb()),

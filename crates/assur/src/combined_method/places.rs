@@ -103,8 +103,8 @@ impl Places {
         quotient(self.kc()[0], self.lc()[0])
     }
 
-    /// ψ′ or ψ″ of the link CD, from `c`, the first or second derivative of the position of C. The component of `c`
-    /// along CD has no effect.
+    /// First or second derivative, ψ′ or ψ″, of the angle of the link CD, from `c`, the derivative of the same order of
+    /// the position of C. The component of `c` along CD has no effect.
     pub(super) fn turned(&self, c: Vector) -> f64 {
         let cd = self.cd()[0];
         cd.perp(&c) / cd.norm_squared()

@@ -79,7 +79,7 @@ impl Second {
         ]
     }
 
-    /// The coefficients d, Cramer's rule, the derivatives that follow from it, and ψ″.
+    /// The coefficients d, Cramer's rule, the derivatives that follow from this rule, and ψ″.
     pub(super) fn relations(&self, places: &Places, first: &First) -> Vec<Relation> {
         let mut all = self.printed(places, first);
         let [_, b1, b2, b3, b4, _] = first.b;

@@ -17,7 +17,7 @@ pub struct Rolling {
     pub input: f64,
     /// The pole in the coordinates of the drawing.
     pub fixed: Point,
-    /// The pole in the coordinates of the link, those of [`crate::mechanism::TracerSpec::at`].
+    /// The pole in the coordinates of the link, defined as in [`crate::mechanism::TracerSpec::at`].
     pub moving: Vector,
 }
 
@@ -66,7 +66,8 @@ mod tests {
     use crate::linkage::LinkageSpec;
     use crate::mechanism::Mechanism;
 
-    /// Cranks of 2 on a frame of 1 with a coupler of 1, crossed: C is the mirror image of (1, 2) in the line BD.
+    /// Cranks of length 2 on a frame of length 1 with a coupler of length 1, crossed: C is the mirror image of (1, 2)
+    /// in the line BD.
     fn antiparallelogram() -> Motion {
         let spec = LinkageSpec::default()
             .point("A", 0.0, 0.0)
@@ -81,8 +82,8 @@ mod tests {
         Motion::new(Mechanism::new(&spec).unwrap())
     }
 
-    /// The crossed cranks meet in the pole P, and by symmetry PA + PD = PB + PC = 2: two equal ellipses roll on each
-    /// other.
+    /// The lines of the crossed cranks meet in the pole P, and by symmetry PA + PD = PB + PC = 2: two equal ellipses
+    /// roll on each other.
     #[test]
     fn centrodes_of_an_antiparallelogram_are_ellipses_with_the_hinges_as_foci() {
         let motion = antiparallelogram();

@@ -147,8 +147,8 @@ mod tests {
     }
 
     /// A slider-crank with crank 3 and rod 5, stretched out. The pole of the rod is the slider at (8, 0), and θ′ =
-    /// −3/5. The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along it. The paths of all points of the
-    /// inflection circle are straight to the third order.
+    /// −3/5. The pole moves at 8 across the slide, so the diameter is 8/(−3/5) along the slide. The paths of all points
+    /// of the inflection circle are straight to the third order.
     #[test]
     fn circles_of_a_stretched_slider_crank() {
         let slider_crank = slider_crank([[3.0, 0.0], [8.0, 0.0]]);

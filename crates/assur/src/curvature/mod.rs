@@ -143,7 +143,8 @@ mod tests {
         );
     }
 
-    /// The evolute of y = x²/2 is (−x³, 1 + 3x²/2). At x = 1 its derivative is (−3, 3), and that of the arc length √2.
+    /// The evolute of y = x²/2 is (−x³, 1 + 3x²/2). At x = 1 the derivative of the evolute is (−3, 3), and the
+    /// derivative of the arc length of the parabola is √2.
     #[test]
     fn the_evolute_of_a_parabola_is_a_semicubical_parabola() {
         let found = Curvature::of(&point([1.0, 1.0, 0.0, 0.0], [0.5, 1.0, 1.0, 0.0]), 1.0).unwrap();

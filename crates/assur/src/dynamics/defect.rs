@@ -91,7 +91,7 @@ const ANGLE: f64 = 1e6;
 pub(super) struct Defects(pub(super) Vec<Defect>);
 
 impl Defects {
-    /// Finds every defect of a single parameter, of the numbers of plates and satellites together, and of tied drives.
+    /// Finds every defect: of single parameters, of the numbers of plates and satellites together, and of tied drives.
     pub(super) fn of(parameters: &Parameters) -> Self {
         let mut defects = Self::default();
         defects.plates(parameters);

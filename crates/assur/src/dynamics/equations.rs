@@ -87,8 +87,8 @@ impl Field {
         combination(self.turns, angles)
     }
 
-    /// Generalized torques on the phase δ = Σ nᵢφᵢ: first −∂U/∂δ with the potential U of the field, then that of
-    /// damping. Multiplied by nᵢ, they are the torques on body i.
+    /// Generalized torques on the phase δ = Σ nᵢφᵢ: first the torque −∂U/∂δ of the field with the potential U, then the
+    /// torque of damping. Multiplied by nᵢ, they are the torques on body i.
     pub(super) fn forces(&self, phase: f64, rate: f64) -> (f64, f64) {
         (-self.energy * phase.sin(), -self.damping * rate)
     }

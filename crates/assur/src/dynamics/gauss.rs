@@ -57,7 +57,8 @@ const fn squared() -> [[f64; 3]; 3] {
 /// Maximum number of iterations; about 5 are usual.
 const ITERATIONS: usize = 40;
 
-/// Relative change of the accelerations that may be rounding. Below it the iteration ends if the change stops falling.
+/// Relative change of the accelerations that may be rounding. If the change is below this level and stops falling, the
+/// iteration ends.
 const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
@@ -81,7 +82,7 @@ pub(super) struct Step {
     pub(super) stages: [(Moment, [f64; N], f64); 3],
 }
 
-/// Accelerations at the stages of the previous step, from which those of the next step are extrapolated.
+/// Accelerations at the stages of the previous step. The accelerations of the next step are extrapolated from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Past {
     length: f64,
@@ -183,7 +184,8 @@ fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N];
 mod tests {
     use super::*;
 
-    /// Four equations at once: a pendulum, a damped oscillator, a fan running down, a force that grows with time.
+    /// Accelerations of four independent coordinates: a pendulum, a damped oscillator, a fan that runs down, and a
+    /// force that grows with time.
     fn accelerations(start: f64, q: &[f64; N], moment: &Moment) -> [f64; N] {
         let at = |n: usize| q[n] + moment.moved[n];
         let v = moment.rates;

@@ -96,8 +96,8 @@ pub struct Load {
     pub constant: f64,
     /// Coulomb friction torque, as from a brush or a scraper, N·m; smoothed near rest by `creep`.
     pub friction: f64,
-    /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep) at the speed ω of the body, so a body held by
-    /// friction creeps. Used only with friction.
+    /// Creep speed, rad/s. Friction is proportional to tanh(ω/creep) at the speed ω of the body. A body held by
+    /// friction therefore creeps. Used only with friction.
     pub creep: f64,
     /// Coefficient of a fan's torque, N·m·s². The torque opposes the motion, in proportion to the square of the speed.
     pub fan: f64,

@@ -19,7 +19,8 @@ impl Recording {
     /// Maximum duration, seconds.
     pub const MAX_DURATION: f64 = 3600.0;
 
-    /// Records a run from its current state for this time, at most [`Self::MAX_DURATION`], or until the run halts.
+    /// Records a run from its current state over the given time, at most [`Self::MAX_DURATION`], or until the run
+    /// halts.
     pub fn new(start: Run, seconds: f64) -> Self {
         let mut run = start.clone();
         // NaN becomes 0.

@@ -27,7 +27,7 @@ pub(super) const QUICKEST: f64 = STEP * (1 << MAX_HALVINGS) as f64;
 pub struct Run {
     differential: Differential,
     pub(super) state: State,
-    /// Whole periods of each mesh from which its slipped periods are counted.
+    /// Whole periods of each mesh at which the count of its slipped periods is zero.
     origin: [i64; 2],
     /// Kinetic and potential energy at the start of the energy balance, J.
     pub(super) opening: [f64; 2],

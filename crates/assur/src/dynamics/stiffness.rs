@@ -29,9 +29,9 @@ impl Stiffness {
 }
 
 impl Equations {
-    /// Share of each body in the acceleration of the coordinate Σ nφ under a unit torque on this coordinate (n:
-    /// `factors`). It is n²/J if the body moves under torques, otherwise 0. Both n and the moment of inertia J include
-    /// those of the bodies that follow the body, referred to it.
+    /// Share of each body in the acceleration of the coordinate Σ nφ under a unit torque on this coordinate; `factors`
+    /// are the numbers n. The share is n²/J if the body moves under torques, otherwise 0. Both n and the moment of
+    /// inertia J include the contributions of the bodies that follow the body, referred to its axis.
     fn yielding(&self, factors: &[f64; N]) -> [f64; N] {
         let mut sums = *factors;
         for (body, follows) in self.following.iter().enumerate() {
@@ -53,7 +53,7 @@ impl Equations {
     }
 
     /// Rates of each body at these speeds. Their sums over the bodies are the traces of the matrices of stiffness and
-    /// of damping, which bound the combined rates.
+    /// of damping. A trace is at least the greatest eigenvalue, so the sums bound the rates of the coupled motion.
     fn stiffness_terms(&self, speeds: &[f64; N]) -> [Stiffness; N] {
         let mut squares = [0.0; N];
         let mut rates = [0.0; N];

@@ -42,8 +42,8 @@ impl FourBar {
 mod tests {
     use super::*;
 
-    /// A parallelogram is in line at 0 and π. A four-bar with links 1, 2, 3, 2 is in line only at 0, but its motion
-    /// takes two turns.
+    /// The links of the parallelogram are in line at 0 and π. With the lengths 1, 2, 3, 2 they are in line only at 0,
+    /// but the motion takes two turns, so 2π is listed too. A crank-rocker has no change point.
     #[test]
     fn in_line() {
         for (lengths, expected) in [
@@ -57,9 +57,9 @@ mod tests {
         }
     }
 
-    /// The loop closure to the second order gives a quadratic for k = φ₃′. Parallelogram 1, 2, 1, 2 with both cranks
-    /// along the frame: (k − 1)(k + 3) = 0; with both cranks opposite to it: (k − 1)(3k + 1) = 0. Four-bar 1, 2, 3, 2:
-    /// 3k² + 6k − 1 = 0.
+    /// The loop closure to the second order gives a quadratic for k = φ₃′. In the parallelogram 1, 2, 1, 2 with both
+    /// cranks along the frame it is (k − 1)(k + 3) = 0; with both cranks in the opposite direction, (k − 1)(3k + 1) =
+    /// 0. In the four-bar 1, 2, 3, 2 it is 3k² + 6k − 1 = 0.
     #[test]
     fn rates_of_the_two_motions_solve_a_quadratic() {
         let root = (4.0_f64 / 3.0).sqrt();

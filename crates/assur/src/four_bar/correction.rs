@@ -8,16 +8,18 @@ use crate::Jet;
 /// ratio.
 const FAST: f64 = 32.0;
 
-/// Greatest step of a derivative of order n, in units of ε φ₅′ⁿ / sin(φ₂ − φ₃). A greater one is no correction of rounding.
+/// Greatest step of a derivative of order n, in units of ε φ₅′ⁿ / sin(φ₂ − φ₃). A greater step does not correct a
+/// rounding error, and is omitted.
 const ROUNDED: f64 = 32.0;
 
 impl FourBar {
     /// Corrects the derivatives of φ₂ and φ₃ by one Newton step on the loop closure, if B is close to D.
     ///
-    /// There φ₅ and the angles of triangle BCD change fast. In one of the assemblies they change in opposite senses.
-    /// The derivatives of order n of their sums φ₂ and φ₃ then have rounding errors of ε φ₅′ⁿ, which differ between φ₂
-    /// and φ₃. After the step the loop is closed in all derivatives. The step divides by sin(φ₂ − φ₃), so it is omitted
-    /// if coupler and rocker are so nearly in line that it would be greater than these errors.
+    /// Then φ₅ and the angles of triangle BCD change fast. In one of the assemblies φ₅ and these angles change in
+    /// opposite senses. The derivatives of order n of their sums φ₂ and φ₃ then have rounding errors of ε φ₅′ⁿ, which
+    /// differ between φ₂ and φ₃. After the step the loop is closed in all derivatives. The step divides by sin(φ₂ −
+    /// φ₃), so it is omitted if coupler and rocker are so nearly in line that the step would be greater than these
+    /// errors.
     pub(super) fn corrected<const N: usize>(&self, pose: Pose<N>, diagonal: Jet<N>) -> Pose<N> {
         let [fast, rate] = [diagonal, pose.coupler].map(|angle| angle.derivative(1).abs());
         if fast <= FAST * rate.max(1.0) {

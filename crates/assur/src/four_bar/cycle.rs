@@ -56,7 +56,8 @@ impl Cycle {
     }
 
     /// The union of this cycle and another, and the shift by whole turns that brings the other cycle's arcs after the
-    /// arcs of this cycle; zero without a period. None if a driver turns fully, periods differ or arcs overlap.
+    /// arcs of this cycle. The shift is zero if there is no period. None if a driver turns fully, periods differ or
+    /// arcs overlap.
     pub(crate) fn joined(&self, other: &Self) -> Option<(Self, f64)> {
         let ends = |cycle: &Self| Some([cycle.arcs.first()?[0], cycle.arcs.last()?[1]]);
         let ([from, to], [first, last]) = (ends(self)?, ends(other)?);
@@ -93,9 +94,9 @@ impl Cycle {
         self.turns
     }
 
-    /// Period of the input after which the motion repeats, radians: a whole number of turns. An input outside the arcs
-    /// is shifted into them by whole periods. None for a driven slide, and for an oscillating crank if inputs a turn
-    /// apart give different poses.
+    /// Period of the input after which the motion repeats, radians: a whole number of turns. Inputs that differ by
+    /// whole periods give the same pose ([`Self::wrap`]). None for a driven slide, and for an oscillating crank if
+    /// inputs a turn apart give different poses.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
@@ -127,7 +128,8 @@ impl Cycle {
         0.5 * (self.arcs[0][0] + self.arcs[0][1])
     }
 
-    /// Shifts a `crank` outside the interval [`Self::axis`] by whole periods into the first period of the interval.
+    /// Shifts an input outside the interval [`Self::axis`] by whole periods into the first period of this interval.
+    /// Other inputs are returned unchanged, and so are all inputs if there is no period.
     pub fn wrap(&self, crank: f64) -> f64 {
         let [start, end] = self.axis();
         match self.period {
@@ -239,9 +241,9 @@ mod tests {
         assert!((cycle.wrap(-20.0) - (-20.0 + 4.0 * TAU)).abs() < 1e-14);
     }
 
-    /// Crank and frame 4, coupler and rocker 1 and 2: the diagonal BD lies between 1 and 3, and is opposite to φ₁ in
-    /// the triangle with two sides of 4: cos φ₁ = (32 − BD²)/32. With coupler and rocker of 2, BD is at most 4, and the
-    /// triangle is then equilateral.
+    /// Crank and frame 4, coupler and rocker 1 and 2: the diagonal BD lies between 1 and 3. In the triangle ABD with
+    /// two sides of 4, BD is opposite to φ₁, so cos φ₁ = (32 − BD²)/32. With a coupler and a rocker of 2, BD is at most
+    /// 4, and ABD is then equilateral.
     #[test]
     fn ends_of_the_arcs_follow_from_the_law_of_cosines() {
         let [near, far] = [31.0_f64 / 32.0, 23.0 / 32.0].map(f64::acos);
@@ -284,7 +286,7 @@ mod tests {
         assert_eq!(cycle.advance(7.0, 0.0), (1.0, 1.0));
     }
 
-    /// Arcs of a slide join if they do not overlap; those of a crank are shifted by whole turns.
+    /// Arcs of a slide join if they do not overlap. Arcs of a crank are shifted by whole turns to follow one another.
     #[test]
     fn arcs_of_two_cycles_join_in_order() {
         let slide = |arc| Cycle::swinging(arc, None);

@@ -1,8 +1,8 @@
 //! The four-bar linkage. [`FourBar::pose`] solves its loop closure in closed form.
 //!
 //! The joints A = (0, 0) and D = (l₄, 0) are on the frame. The crank AB, of length l₁, is at the angle φ₁ from +x, the
-//! coupler BC (l₂) at φ₂, the rocker DC (l₃) at φ₃. The diagonal BD = l₅ divides the loop into two triangles.
-//! Everything depends on two factors, P and Q, of the squared area S² of BCD:
+//! coupler BC (l₂) at φ₂, the rocker DC (l₃) at φ₃. The diagonal BD = l₅ divides the loop into two triangles. The
+//! closed form depends on two factors, P and Q, of the squared area S² of BCD:
 //!
 //! 16 S² = P Q,  P = (l₂ + l₃)² − l₅²,  Q = l₅² − (l₂ − l₃)²,
 //!

@@ -145,8 +145,7 @@ impl FourBar {
         [a, b, c, d]
     }
 
-    /// A point fixed to a link, such as its centre of mass. These are (14)–(25) of the mixer paper, for any point of
-    /// the link.
+    /// A point fixed to a link, such as its centre of mass: (14)–(25) of the mixer paper, for any point of the link.
     pub fn carried<const N: usize>(
         &self,
         pose: &Pose<N>,

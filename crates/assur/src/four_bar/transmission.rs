@@ -52,7 +52,7 @@ mod tests {
         assert!((worst.cos() - 2.0 / 3.0).abs() < 1e-14 && crank == 0.0);
     }
 
-    /// In a parallelogram the angle between coupler and rocker is the crank angle, taken acute.
+    /// In a parallelogram the transmission angle is the crank angle φ₁ up to 90°, and 180° − φ₁ beyond.
     #[test]
     fn the_angle_of_a_parallelogram_is_that_of_its_crank() {
         let linkage = FourBar::new([3.0, 5.0, 3.0, 5.0]).unwrap();
@@ -76,8 +76,8 @@ mod tests {
         assert!((linkage.worst_transmission().0.cos() - 2.0 / 7.0).abs() < 1e-15);
     }
 
-    /// Crank and frame 4, coupler and rocker 2: dead at 60°, where coupler and rocker are stretched over a diagonal of
-    /// 4.
+    /// Crank and frame 4, coupler and rocker 2: at the dead point of 60° coupler and rocker are stretched over a
+    /// diagonal of 4.
     #[test]
     fn the_angle_is_zero_at_a_dead_point_and_none_beyond() {
         let linkage = FourBar::new([4.0, 2.0, 2.0, 4.0]).unwrap();

@@ -169,7 +169,7 @@ impl GearPair {
 
     /// Start and end of the angle that the tip circles cover, seen from the driver's centre.
     fn shadow(&self) -> [f64; 2] {
-        // Half the angle that a tip circle covers; a quarter turn if it contains the driver's centre.
+        // Half the angle that a tip circle covers; a quarter turn if the circle contains the driver's centre.
         let disc = |Disc { centre, radius }: Disc| {
             let tangent = centre.norm_squared() - radius * radius;
             radius.atan2(tangent.max(0.0).sqrt())

@@ -68,14 +68,14 @@ pub enum TrainError {
         /// The fault.
         fault: Fault,
     },
-    /// The ring of a planar train is not larger than the sun.
+    /// The ring of a train with parallel axes is not larger than the sun.
     RingNotLarger {
         /// Number of teeth of the sun, z₁.
         sun: u32,
         /// Number of teeth of the ring, z₄.
         ring: u32,
     },
-    /// The satellite of a planar train is not smaller than the ring.
+    /// The satellite of a train with parallel axes is not smaller than the ring.
     SatelliteNotInside {
         /// Number of teeth of the satellite, z₂, or z₂′ if it is stepped.
         satellite: u32,

@@ -9,8 +9,8 @@ use crate::tolerance::COINCIDENT;
 
 impl Mechanism {
     /// Makes the mechanism of a specification, redrawn in one of its assemblies at an input: an angle in radians or the
-    /// coordinate of a driven slide; None means the drawn input. The drawing gives only dimensions that the
-    /// specification lacks, and the coordinates of further drivers. Returns None if the links cannot be joined at the
+    /// coordinate of a driven slide; None means the drawn input. From the drawing it takes only the dimensions that the
+    /// specification lacks and the coordinates of further drivers. Returns None if the links cannot be joined at the
     /// input.
     ///
     /// # Errors

@@ -83,7 +83,8 @@ impl Mechanism {
     /// All assemblies at an input, in radians or as the coordinate of a driven slide. Dyads are solved in closed form,
     /// other groups over the complex numbers, so that no solution is missed. Wheels keep their mounting.
     ///
-    /// The assemblies are in no particular order, without repetition, and without those that meet in a singular pose.
+    /// The assemblies are in no particular order and without repetition. Assemblies that meet in a singular pose are
+    /// left out.
     pub fn assemblies_at(&self, input: f64, method: Method) -> Assemblies {
         let state = &mut self.blank_state();
         let found = self
@@ -260,7 +261,8 @@ impl<'a, const N: usize> Search<'a, N> {
         self.at.signs[*step] = Sign::Plus;
     }
 
-    /// Places the bodies of a step (`solved` if its unknowns are already known), then those of the remaining steps.
+    /// Places the bodies of a step, then the bodies of the remaining steps. `solved` is true if the unknowns of the
+    /// step are already known.
     fn go_on(&mut self, step: StepId, rest: &[StepId], state: &mut State<N>, solved: bool) {
         if self.tries == 0 || self.found.ways.len() == self.most {
             self.found.whole = false;

@@ -125,8 +125,8 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel looks the same at any angle, or returns to its angle whenever the crank or rocker that turns it
-    /// does.
+    /// True if a wheel looks the same at any angle, or if it is at its initial angle again whenever the crank or rocker
+    /// that turns it is.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;
@@ -156,8 +156,8 @@ impl Mechanism {
         self.layout.whole_closed_form(&self.drawn)
     }
 
-    /// Inputs within an arc at which the pivot of the crank is in line with the two outer hinges of an RRR or RPR dyad,
-    /// of which one is on the crank and the other is fixed. The distance between these hinges is then minimum or
+    /// Inputs within an arc at which the pivot of the crank is in line with the two outer hinges of an RRR or RPR dyad.
+    /// One of these hinges must be on the crank, and the other fixed. The distance between them is then minimum or
     /// maximum.
     pub(crate) fn in_line(&self, arc: [f64; 2]) -> Vec<f64> {
         let closed = self.closed_steps().map(|closed| closed.angle_offset);

@@ -69,8 +69,8 @@ impl Mechanism {
         all.filter(|dimension| self.has(*dimension)).collect()
     }
 
-    /// True if a dimension exists. A link that forms one body with another link or the frame has no dimension at a
-    /// point that both share, if the other one is the frame or a link that must keep its shape.
+    /// True if a dimension exists. Two links of one body, or a link and the frame, may share a point. A link has no
+    /// dimension at this point if the other one is the frame or a link that must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {

@@ -210,8 +210,8 @@ impl Mechanism {
         true
     }
 
-    /// Drawn configuration at an input that differs from the drawn input by whole turns. `turned` is the angle of these
-    /// turns. None if the links do not close at the input.
+    /// Drawn configuration at an input that differs from the drawn input by whole turns; `turned` is this difference as
+    /// an angle. None if the links do not close at the input.
     fn rebased(&self, input: f64, turned: f64) -> Option<Configuration> {
         let mut at = Configuration {
             input,

@@ -30,8 +30,9 @@ pub(crate) struct Layout {
     pub(super) size: f64,
     /// Range of the first driver if it is a slide.
     pub(super) range: Option<[f64; 2]>,
-    /// Number of turns of the crank after which all drivers and visible wheels are in their initial positions again.
-    /// None for a driven slide, or if a driver does not return.
+    /// Number of turns of the crank after which all drivers and visible wheels are in their initial positions again;
+    /// [`rate::NEVER`] if a wheel never returns. None for a driven slide, or if a further driver is a slide that does
+    /// not return.
     pub(super) period_turns: Option<usize>,
     /// Number of turns of the crank after which the assemblies repeat, without regard to wheels that carry nothing.
     pub(super) turns_of_assemblies: Option<usize>,

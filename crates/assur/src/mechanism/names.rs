@@ -61,8 +61,8 @@ impl Mechanism {
         &self.layout.links[link].points
     }
 
-    /// Link for which the body of a link is made: the link itself, or the one to which it is fixed or which it doubles.
-    /// None if it is one body with the frame.
+    /// Link for which the body of a link is made: the link itself, the link to which it is fixed, or the link that it
+    /// doubles. None if the link is one body with the frame.
     pub fn root_of(&self, link: LinkId) -> LinkOrFrame {
         self.link_of(self.layout.links[link].body)
     }
@@ -116,8 +116,8 @@ impl Mechanism {
         self.terms().join(" → ")
     }
 
-    /// Terms of the structural formula with the names of links: those of the structure, then those of the doubled
-    /// links.
+    /// Terms of the structural formula, with the names of links. The terms of the structure are followed by the terms
+    /// of the doubled links.
     pub fn terms(&self) -> Vec<String> {
         let body_name = |link| self.body_name(BodyId::at(link));
         let doubled = self.doubled().iter();

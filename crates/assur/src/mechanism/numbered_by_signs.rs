@@ -5,7 +5,8 @@ use crate::Assembly;
 use crate::mechanism::{AssemblySigns, Mechanism};
 use crate::position::Predictor;
 
-/// Maximum numbers of assemblies, and of steps solved to find them, in the numbering of older files.
+/// Limits of the search in the numbering of older files: the number of assemblies, and the number of steps solved to
+/// find them.
 const LIMITS: [usize; 2] = [256, (1 << 14) - 1];
 
 /// Assemblies at the drawn input from which a motion can start, in the order of the signs of their dyads. Groups of

@@ -119,8 +119,8 @@ impl Assembled {
         self.layout.span()
     }
 
-    /// Measure of how far a step is from links in line or from a singular pose. It can be compared between a mechanism
-    /// and its neighbours.
+    /// Measure of the distance of a step from a pose with links in line or from another singular pose. Its values for a
+    /// mechanism and for its neighbours can be compared.
     pub(crate) fn margin(&self, step: StepId) -> f64 {
         let [p, q] = self.state.margins[step].map(|margin| margin.value());
         match self.layout.steps[step] {
@@ -174,7 +174,7 @@ impl Layout {
         drawn: Drawn<'_>,
     ) -> Result<(Self, Configuration), Vec<Defect>> {
         let (resolved, mut rigid) = Resolved::new(spec).map_err(|defect| vec![defect])?;
-        // Two links cease to be one body if a dimension changes on only one of the two; one of them may be the frame.
+        // Two links cease to be one body if a dimension changes on only one of them. One of the two may be the frame.
         let (before, after) = (&self.doubled, &resolved.doubled);
         if before != after {
             let parted = before.iter().filter(|one| !after.contains(one));
@@ -243,8 +243,8 @@ impl Layout {
         })
     }
 
-    /// The step whose links moved too far for a neighbour, or may be in another assembly; None if there is no such
-    /// step.
+    /// A step whose links moved too far for a neighbour, or whose links may be in another assembly; None if there is no
+    /// such step.
     fn lost(&self, before: &State<1>, state: &State<1>) -> Option<StepId> {
         let moved = self.moved(before, state, MAX_CHANGE);
         if let Some(body) = moved {

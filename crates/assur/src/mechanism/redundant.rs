@@ -245,9 +245,9 @@ impl Layout {
         Ok(settled)
     }
 
-    /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose, or if
-    /// the mobility by rank differs from the number of drivers, for example because two drivers are compatible only at
-    /// their given rates.
+    /// Structure with passive links as separate steps. None if a redundant constraint fails near the drawn pose. Also
+    /// None if the mobility by rank differs from the number of drivers: for example, two drivers may be compatible only
+    /// at their given rates.
     fn shown(&self, redundancy: &Redundancy, at: &Configuration) -> Option<Structure> {
         let rows = self.rows_beside(at);
         let Redundancy { graph, drivers, .. } = redundancy;
@@ -272,7 +272,7 @@ impl Layout {
     }
 
     /// Defects of a drawing whose constraints fail near the drawn pose. If the rank in the drawn pose allows a motion,
-    /// the links are mobile for an instant; otherwise they are locked.
+    /// they are reported as mobile for an instant, otherwise as locked.
     fn locked(&self, redundancy: &Redundancy, at: &Configuration) -> Vec<Defect> {
         let mut state: Predictor = self.blank_state();
         let solved = self.solve(at.input, &at.signs, at, &mut state);
@@ -345,7 +345,7 @@ impl Layout {
                 (a - b).abs() <= tolerance::DOUBLE_ROOT
             });
             let alike = alike.count();
-            // Links may be in line in one of the poses, where cancellation makes angular velocities inexact.
+            // One pose may deviate: links may be in line there, and cancellation then makes angular velocities inexact.
             2 * alike > poses.len() && alike + 1 >= poses.len()
         };
         let mut parallel = Vec::new();

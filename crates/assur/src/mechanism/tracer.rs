@@ -1,4 +1,5 @@
-//! Tracer points: points on a link that are not joints, and keep their positions on it when the linkage is redrawn.
+//! Tracer points: points on a link that are not joints. When the linkage is redrawn, they keep their positions on the
+//! link.
 
 use crate::index::{BodyId, LinkId, List, PointId};
 use crate::linkage::TracerSpec;

@@ -1,5 +1,5 @@
 //! The reciprocating-rotational mixer: a crank-rocker whose rocker carries wheel 4. This wheel drives wheel 5, or
-//! several wheels around wheel 4 (Smelyagin and Prikhodko, fig. 1 and 4). Its motion is that of the linkage made in
+//! several wheels around wheel 4 (Smelyagin and Prikhodko, fig. 1 and 4). The mixer moves as the linkage made in
 //! `spec`.
 
 mod contours;

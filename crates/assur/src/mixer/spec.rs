@@ -100,7 +100,7 @@ impl Mixer {
     }
 
     /// Tracers of the specification for the traced points. In the linkage, the angle of a wheel is the angle of the
-    /// rocker times the ratio. The axes of the mixer's coordinates are turned from this angle by `mounting`.
+    /// rocker times the ratio. In the mixer, the x-axis of a wheel is rotated from this angle by `mounting`.
     fn spec_tracers(&self) -> impl Iterator<Item = TracerSpec> {
         self.tracers().iter().enumerate().map(|(k, tracer)| {
             let at = Vector::new(tracer.x, tracer.y);

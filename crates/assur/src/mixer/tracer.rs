@@ -91,8 +91,8 @@ impl Mixer {
         }
     }
 
-    /// Origin of a body's coordinates, and direction of their x-axis. For a wheel that does not exist, those of the
-    /// rocker; [`Mixer::new`] refuses such wheels.
+    /// Origin of a body's coordinates, and direction of their x-axis. For a wheel that does not exist, the origin and
+    /// direction of the rocker; [`Mixer::new`] refuses such wheels.
     pub fn body<const N: usize>(&self, pose: &Pose<N>, carrier: Carrier) -> (JetPoint<N>, Jet<N>) {
         let [a, b, _, d] = self.linkage.joints(pose);
         match carrier {

@@ -38,8 +38,8 @@ impl Constraints {
         }
     }
 
-    /// Equations of equilibrium of every moving link under the stresses of the pairs alone. Their matrix is the
-    /// transpose of that of [`Self::motions`], with the same rank; their solutions are the self-stresses.
+    /// Equations of equilibrium of every moving link under the stresses of the pairs alone. Their solutions are the
+    /// self-stresses. Their matrix is the transposed matrix of [`Self::motions`], so it has the same rank.
     pub(super) fn equilibrium(&self, scheme: &Scheme) -> System {
         let sizes = self
             .starts

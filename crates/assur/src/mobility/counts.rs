@@ -96,8 +96,9 @@ pub(super) mod tests {
         Scheme::new(&spec).unwrap()
     }
 
-    /// Mobilities in the plane and in space. Four-bar: 3·3 − 2·4 and 6·3 − 5·4; five-bar: 3·4 − 2·5 and 6·4 − 5·5.
-    /// Contour of two spheres and two hinges, in space: 6·3 − 5 − 3 − 3 − 5; its coupler can turn about its axis.
+    /// Mobilities in the plane and in space. Four-bar: 3·3 − 2·4 and 6·3 − 5·4; five-bar: 3·4 − 2·5 and 6·4 − 5·5. A
+    /// contour of two spheres and two hinges has 6·3 − 5 − 3 − 3 − 5 in space: one freedom is the rotation of the
+    /// coupler about its own axis.
     #[test]
     fn contours() {
         use PairKind::{Revolute, Spherical};

@@ -29,7 +29,7 @@ pub enum CutError {
     NoSuchPair { pair: String },
     /// The pair does not have this link.
     NotOfPair { pair: String, link: String },
-    /// More than two links meet in this pair: the detached link must be named.
+    /// More than two links meet in this pair, so the detached link must be named.
     WhichLink { pair: String },
     /// This cut was made before, or the pair has only one link left.
     CutTwice { pair: String },

@@ -48,8 +48,8 @@ impl Placement {
 
 /// A pair after its two links have been displaced.
 pub(super) struct Displaced {
-    /// Place and directions of the displaced pair. They are fixed to the first link, which has the cylinder around a
-    /// ball or the plane of a contact. Only the second axis of a universal pair is fixed to the second link.
+    /// Place and directions of the displaced pair, fixed to the first link. This link carries the cylinder around a
+    /// ball, and the plane of a contact. Only the second axis of a universal pair is fixed to the second link.
     pub(super) form: Form,
     /// Violation of each constraint, in the order of [`Form::constraints`].
     pub(super) gaps: Vec<f64>,

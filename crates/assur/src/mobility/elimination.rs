@@ -39,7 +39,8 @@ pub(super) struct Eliminated {
     free: Vec<Free>,
 }
 
-/// Pivot row: the unknown of its column in terms of free unknowns and of unknowns eliminated later.
+/// Pivot row, solved for the unknown of its column: this unknown is a combination of free unknowns and of unknowns
+/// eliminated later.
 #[derive(Clone, Debug)]
 struct Pivot {
     column: usize,

@@ -1,4 +1,4 @@
-//! Mobility in a pose near the drawn pose, where nothing is in line by chance.
+//! Mobility in a general pose near the drawn pose. In the drawn pose itself, links may be in line by chance.
 
 use super::constraints::Constraints;
 use super::displaced::{Displaced, Placement};
@@ -32,11 +32,12 @@ pub enum Generic {
 }
 
 impl Scheme {
-    /// Mobility by rank in a pose near the drawn one. To reach it, the links are moved by a small step along the
-    /// velocities possible in the drawn pose; then the pairs are closed again.
+    /// Mobility by rank in a pose near the drawn one. The links are moved by a small step along the velocities possible
+    /// in the drawn pose; then the pairs are closed again.
     ///
     /// # Errors
-    /// The scheme lacks data that the rank needs, or motions in the plane are wanted of a scheme that is not planar.
+    /// The scheme lacks data that the rank needs, or motions in the plane are requested for a scheme that is not
+    /// planar.
     pub fn generic(&self, space: Space) -> Result<Generic, NoRank> {
         let verdict = self.rank_report(space)?;
         let mut contacts: Vec<usize> = verdict

@@ -9,10 +9,10 @@ use super::{Pair, Scheme, Space};
 impl Scheme {
     /// Idle links, single or as two joined links, in the order of names.
     ///
-    /// The ends of open chains and the only moving link of a scheme are excluded. So is a link joined to the ground by
-    /// a pair of one freedom, if only this link moves at this instant (a cam during a dwell). Two joined links are
-    /// excluded if such a pair joins one of them to the ground (a crank and its coupler at a dead point), or if only
-    /// these two move.
+    /// The ends of open chains and the only moving link of a scheme are excluded. If only one link moves at this
+    /// instant, and a pair of one freedom joins it to the ground, it is excluded too (a cam during a dwell). Two joined
+    /// links are excluded if a pair of one freedom joins one of them to the ground (a crank and its coupler at a dead
+    /// point), or if only these two move.
     pub(super) fn idle(
         &self,
         constraints: &Constraints,

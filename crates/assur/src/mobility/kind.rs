@@ -85,7 +85,7 @@ impl PairKind {
         matches!(self, Self::CylinderOnPlane | Self::SphereOnPlane)
     }
 
-    /// True if the axis of the pair, in a planar scheme, is by default the normal of the plane.
+    /// True if the default axis of the pair in a planar scheme is the normal of the plane.
     pub(super) fn turns_in_plane(self) -> bool {
         matches!(
             self,

@@ -39,7 +39,7 @@ pub enum NoRank {
     NotPlanar,
 }
 
-/// Mobility by rank in the drawn pose. Pairs and links are in the order of their names, not in that of the scheme.
+/// Mobility by rank in the drawn pose. Pairs and links are listed in the order of their names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RankReport {
     /// Mobility W: number of independent motions.
@@ -65,7 +65,8 @@ impl Scheme {
     /// Mobility by rank in the drawn pose.
     ///
     /// # Errors
-    /// The scheme lacks data that the rank needs, or motions in the plane are wanted of a scheme that is not planar.
+    /// The scheme lacks data that the rank needs, or motions in the plane are requested for a scheme that is not
+    /// planar.
     pub fn rank_report(&self, space: Space) -> Result<RankReport, NoRank> {
         let forms = self.forms(space)?;
         let constraints = Constraints::new(self, &forms, space);

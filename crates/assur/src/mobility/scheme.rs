@@ -43,8 +43,8 @@ pub struct Pair {
     pub links: Vec<usize>,
     /// Position of the pair; None if it is not given.
     pub place: Option<Point3>,
-    /// Unit vector along the axis or normal of the pair; None if the kind has none, or it is not given and has no
-    /// default.
+    /// Unit vector along the axis or normal of the pair. None if the kind of pair has none, or if neither the
+    /// specification nor a default gives it.
     pub axis: Option<Vector3>,
     /// Second direction, a unit vector perpendicular to the axis; only a universal pair or a line contact has one.
     pub second: Option<Vector3>,

@@ -110,8 +110,8 @@ impl Scheme {
 }
 
 impl Scheme {
-    /// Contour opened by a cut: the path in the open chain from the cut pair to the detached link. `freedoms` gives the
-    /// twists of each pair, if known.
+    /// Contour opened by a cut: the path in the open chain from the cut pair to the detached link. `freedoms` lists the
+    /// twists of each pair; None for a pair whose twists are not known.
     fn contour(
         &self,
         cut: Cut,

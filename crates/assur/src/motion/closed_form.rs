@@ -9,8 +9,8 @@ use crate::sorting::sort_by;
 use crate::{Assembly, Cycle};
 
 impl Motion {
-    /// Motion of a four-bar and its wheels, over the arc with the drawn pose if the crank cannot turn fully. The motion
-    /// of cranks and wheels alone repeats after `turns_of_wheels` turns.
+    /// Motion in closed form. For a four-bar and its wheels it extends over the arc with the drawn pose if the crank
+    /// cannot turn fully. For cranks and wheels alone it repeats after `turns_of_wheels` turns.
     pub(super) fn in_closed_form(mut mechanism: Mechanism, turns_of_wheels: usize) -> Self {
         let arc = mechanism.closed_steps().next();
         let arc = arc.and_then(|closed| closed.arc(mechanism.drawn_input()));
@@ -41,7 +41,7 @@ impl Motion {
     }
 }
 
-/// Link that turns at a constant ratio to the rocker of a four-bar in closed form, or the rocker itself.
+/// The rocker of a four-bar in closed form, or a link that turns at a constant ratio to the rocker.
 struct Rocker<'a> {
     closed: DrivenFourBar<'a>,
     assembly: Assembly,

@@ -19,7 +19,8 @@ pub const NEARLY: f64 = 1e-3;
 const POSE_ANGLES: [f64; 4] = [0.15, 0.3, 0.45, 0.6];
 /// Number of steps from one pose to the next; each step starts from an extrapolation of the two previous poses.
 const STEPS: usize = 4;
-/// Scale of the unknowns of poses relative to those of the drawing: large, so that the poses are nearly free.
+/// Factor of the unknowns of poses relative to the unknowns of the drawing. It is large, so that the poses are nearly
+/// free.
 const DRAWING_WEIGHT: f64 = 1e2;
 /// Relative tolerances of the rank for the initial poses, tried in turn. Near a singular pose a large tolerance keeps
 /// the error of the drawing from being amplified.
@@ -297,8 +298,8 @@ impl System {
         })
     }
 
-    /// Adds the constraint that links which hardly turn, relative to the frame or to each other, do not turn at all.
-    /// Without this constraint the exact drawing is a double root.
+    /// Finds the links that hardly turn relative to the frame or to each other, and adds the constraint that they do
+    /// not turn at all. Without this constraint the exact drawing is a double root.
     fn keep_parallel(&mut self, all: &[f64]) {
         let width = 2 * self.drawn.len();
         let stay_parallel = |one: Option<[usize; 2]>, other: [usize; 2]| {

@@ -4,8 +4,8 @@ use super::Motion;
 use crate::index::LinkId;
 use crate::mechanism::{Pose, Quantity};
 
-/// Poses just before the end and just after the start of a full cycle. A kite may have no pose at the end itself, so
-/// its angle just after the end is extrapolated from the first of these poses.
+/// Poses just before the end and just after the start of a full cycle. A kite may have no pose at the end of the cycle,
+/// so an angle just after the end is extrapolated from the first of these poses.
 pub(super) struct Seam<'a> {
     motion: &'a Motion,
     period: f64,

@@ -18,8 +18,9 @@ impl InputRate {
         acceleration: 0.0,
     };
 
-    /// Derivative of order 0 to 2 with respect to time of a function q of the crank angle (q, q′ ω₁ or q″ ω₁² + q′ ε₁),
-    /// and its first two derivatives with respect to the crank angle. Derivatives beyond the jet count as zero.
+    /// Three values for a function q of the crank angle: its derivative of order 0 to 2 with respect to time (q, q′ ω₁
+    /// or q″ ω₁² + q′ ε₁), and the first two derivatives of this value with respect to the crank angle. Derivatives
+    /// beyond the jet count as zero.
     pub fn rates<const N: usize>(self, jet: &Jet<N>, order: usize) -> [f64; 3] {
         let power = self.scale(order);
         [0, 1, 2].map(|further| {

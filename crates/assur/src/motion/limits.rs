@@ -80,8 +80,9 @@ impl OutputProfile<'_> {
         }
     }
 
-    /// Inputs on an arc at which the quantity may turn back, each with the value of the quantity: limit positions,
-    /// change points, and the ends of an arc that is not a full cycle; if there are none, the drawn input.
+    /// Inputs on an arc at which the quantity may turn back, each with the value of the quantity. They are limit
+    /// positions, change points, and the ends of an arc that is not a full cycle; if there are none of these, the drawn
+    /// input.
     fn turnings(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
         let cycle = self.motion.cycle();
         let within = |input: &f64| (from..=to).contains(input);

@@ -187,8 +187,8 @@ impl Motion {
     }
 
     /// Last input with a pose before `end`, found by doubled offsets from `end` towards `other`, the other end of the
-    /// arc. If this input differs from `end` by more than rounding, the step that fails beyond it is also returned,
-    /// because another dead point may lie just before the one at `end`.
+    /// arc. If this input differs from `end` by more than rounding, another dead point may lie just before the one at
+    /// `end`. The step that fails beyond this input is then also returned.
     fn last_pose(&self, [end, other]: [f64; 2]) -> Option<(f64, Option<StepId>)> {
         let scale = end.abs().max(other.abs()).max(self.mechanism.span());
         let sense = (other - end).signum();
@@ -251,9 +251,9 @@ impl Motion {
     }
 
     /// Margin from singular poses, for groups solved by Newton's method. For each group, the minimum absolute value of
-    /// its Jacobian's determinant over the motion is divided by the maximum. The result is the smallest of these
-    /// ratios, with the product of the signs of the determinants; 0 if a determinant vanishes or changes sign, 1 if
-    /// there is no such group.
+    /// its Jacobian's determinant over the motion is divided by the maximum. The magnitude of the margin is the
+    /// smallest of these ratios, its sign the product of the signs of the determinants. 0 if a determinant vanishes or
+    /// changes sign, 1 if there is no such group.
     pub fn singularity_margin(&self) -> f64 {
         let steps = self.mechanism.steps().enumerate();
         let groups = steps.filter(|(_, step)| matches!(step, Step::Group(_)));

@@ -1,8 +1,9 @@
 //! Dwells and strokes of a quantity over a motion.
 //!
 //! Between neighbouring extrema a quantity is monotone, so the inputs at which it enters and leaves a band are
-//! bracketed roots of the exact function. As a band of fixed width is shifted, the arc on which the quantity stays
-//! inside it is longest when an extremum touches an edge or, on a flank, when the rates at entry and exit are equal.
+//! bracketed roots of the exact function. The quantity stays in a band of given width over an arc whose length depends
+//! on the level of the band. This arc is longest when an extremum touches an edge of the band or, on a flank, when the
+//! rates at entry and exit are equal.
 
 mod flank;
 
@@ -170,8 +171,8 @@ impl<'a> OutputProfile<'a> {
         self.stations.len() as isize - ends
     }
 
-    /// Input at which the quantity has a given value on a piece. If the quantity does not reach the value there, the
-    /// input of the end whose value is nearer to it.
+    /// Input at which the quantity has a given value on a piece. If the piece does not contain the value, the input of
+    /// the end whose value is nearer.
     fn input_at(&self, piece: isize, level: f64) -> Option<f64> {
         let [low, high] = [self.station(piece)?, self.station(piece + 1)?];
         let sense = if high[1] < low[1] { -1.0 } else { 1.0 };
@@ -303,7 +304,7 @@ impl<'a> OutputProfile<'a> {
     }
 
     /// Strokes between neighbouring extrema or ends of the arc, each with the inputs and values at its ends. Empty for
-    /// a full cycle without extrema, such as that of an angle that only increases.
+    /// a full cycle without extrema, for example of an angle that only increases.
     pub fn strokes(&self) -> Vec<[[f64; 2]; 2]> {
         if self.period.is_some() && self.monotone {
             return Vec::new();

@@ -92,7 +92,8 @@ impl Cycle {
 }
 
 impl Motion {
-    /// Sample inputs as in [`Cycle::samples`], but `sampling` holds for each turn of the fastest driver or wheel.
+    /// Sample inputs as in [`Cycle::samples`], but with the density of `sampling` for each turn of the fastest driver
+    /// or wheel.
     pub fn samples(&self, sampling: Sampling) -> Vec<Vec<f64>> {
         let quickest = self.mechanism().quickest();
         let [start, end] = self.cycle().axis();

@@ -87,8 +87,8 @@ impl Column {
 pub struct Row {
     /// Input of the row.
     pub input: f64,
-    /// Values of the columns. At a dead point there are values but no derivatives; if guides are parallel, or without a
-    /// pose, there are neither.
+    /// Values of the columns. At a dead point there are values but no derivatives. If guides are parallel, or if there
+    /// is no pose, there are no values either.
     pub values: Vec<Option<f64>>,
     /// Reason why values are missing.
     pub reason: Option<Unsolved>,

@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Sub;
 
-/// 2π minus the double nearest to it.
+/// The difference between 2π and the nearest double.
 const TAU_REST: f64 = 2.449_293_598_294_706_4e-16;
 
 /// An angle as whole turns and a remainder. The remainder has all the digits of a double after any number of turns.

@@ -9,7 +9,8 @@ fn value(coefficients: &[f64], x: f64) -> f64 {
     terms.fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// All real roots in an interval within [−1, 1], ascending: at most one between neighbouring roots of the derivative.
+/// All real roots in an interval within [−1, 1], ascending. Between neighbouring roots of the derivative there is at
+/// most one root.
 fn roots_within(coefficients: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     let size: f64 = coefficients.iter().map(|c| c.abs()).sum();
     if coefficients.len() < 2 || size == 0.0 {

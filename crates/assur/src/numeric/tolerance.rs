@@ -26,8 +26,8 @@ pub(crate) const DISTINCT: f64 = 1e-7;
 /// A third of the digits, ∛ε rounded down: the step of a difference quotient, and the accuracy of a triple root.
 pub(crate) const TRIPLE_ROOT: f64 = 1e-6;
 
-/// A thousandth: a pose this far from a singular one is near it, and inputs this far apart are different. At this
-/// distance the second-order term of an expansion is a millionth, [`TRIPLE_ROOT`].
+/// A thousandth. A pose that is nearer to a singular pose counts as near it; inputs that are farther apart count as
+/// different. At this distance the second-order term of an expansion is a millionth, [`TRIPLE_ROOT`].
 pub(crate) const NEAR: f64 = 1e-3;
 
 /// Maximum absolute value of a length, a coordinate, a time or a load, in any unit. Cubes of ratios of such values are

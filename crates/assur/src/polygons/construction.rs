@@ -30,7 +30,7 @@ fn node(point: PointId) -> Node {
     Node { point, on: None }
 }
 
-/// Node of the point fixed to a body that coincides with a given point.
+/// Node of that point of a body which coincides with a given point.
 fn on_body(body: BodyId, point: PointId) -> Node {
     Node {
         point,
@@ -53,7 +53,7 @@ fn sliding(point: PointId, track: &Track) -> Way {
     }
 }
 
-/// Of two bodies, the one with the line along which they slide on each other.
+/// The one of two bodies that carries the line along which they slide on each other; None if no slide joins them.
 fn line_of(mechanism: &Mechanism, both: [BodyId; 2]) -> Option<BodyId> {
     let mut joints = mechanism.joints().into_iter();
     joints.find_map(|joint| match joint {
@@ -82,7 +82,8 @@ pub(super) fn equations(mechanism: &Mechanism, step: StepId) -> Vec<Equations> {
     }
 }
 
-/// Equation for the first point, other than the hinge, of a body whose rotation about the hinge is known.
+/// Equation for the first point, other than the hinge, of a body whose rotation about the hinge is known; None if the
+/// body has no other point.
 fn driven(mechanism: &Mechanism, body: BodyId, hinge: PointId) -> Option<Equations> {
     let mut points = mechanism
         .points_on(body)

@@ -23,7 +23,7 @@ impl<const N: usize> Complex<N> {
         }))
     }
 
-    /// Sets the vector to a constant in place: copying it would take as long as the sums computed with it.
+    /// Sets the vector to a constant in place, because a copy would take as long as the sums computed with it.
     #[inline(always)]
     pub(crate) fn set_constant(&mut self, v: Vector) {
         for (order, c) in self.0.iter_mut().enumerate() {
@@ -233,8 +233,8 @@ mod tests {
         assert_eq!(v.left()[0], Vector::new(-4.0, 3.0));
     }
 
-    /// A vector of constant length 5 starts at (3, 4). If its abscissa is that of uniform rotation, 3 cos t − 4 sin t,
-    /// its ordinate is also that of the rotation.
+    /// A vector of constant length 5 starts at (3, 4). If its abscissa is 3 cos t − 4 sin t, as in uniform rotation,
+    /// its ordinate is also as in the rotation.
     #[test]
     fn a_vector_of_constant_length_follows_from_its_projection() {
         let abscissa = Jet::<4>::of_derivatives([3.0, -4.0, -3.0, 4.0]);

@@ -77,20 +77,21 @@ mod tests {
         assert!(both.all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
     }
 
-    /// At the same rate relative to the first, the second crank is at 180° and turns at 2: v = (−1, 0) + 2·(0, −1).
+    /// At the same rate relative to the first crank, the second crank is at 180° and turns at 2: v = (−1, 0) + 2·(0,
+    /// −1).
     #[test]
     fn angular_velocities_of_cranks_on_cranks_add_up() {
         check(end(1.0), [[-1.0, 1.0], [-1.0, -2.0], [4.0, -1.0]]);
     }
 
-    /// At the opposite rate relative to the first, the second crank keeps its direction and only translates with the
-    /// hinge.
+    /// At the opposite rate relative to the first crank, the second crank keeps its direction and only translates with
+    /// the hinge.
     #[test]
     fn a_crank_that_turns_back_on_a_crank_translates() {
         check(end(-1.0), [[1.0, 1.0], [-1.0, 0.0], [0.0, -1.0]]);
     }
 
-    /// At rest relative to the first, the second crank forms one crank of length 2 with it.
+    /// At rest relative to the first crank, the second crank and the first form one crank of length 2.
     #[test]
     fn a_crank_at_rest_on_a_crank_is_one_body_with_it() {
         check(end(0.0), [[0.0, 2.0], [-2.0, 0.0], [0.0, -2.0]]);

@@ -23,8 +23,8 @@ pub(crate) struct CrankFourBar {
     pub(crate) rocker: BodyId,
     /// Angle of the coupler's body minus φ₂, and angle of the rocker's body minus φ₃.
     arm_offsets: [f64; 2],
-    /// Bound of the margins P and Q. If both exceed it, the links are placed as in any dyad; infinite if this is never
-    /// permitted.
+    /// Level of the margins P and Q above which the links are placed as in any dyad. Infinite if they are never placed
+    /// in this way.
     min_margin: f64,
     /// Angles of the bodies of coupler and rocker at φ₂ = φ₃ = π/2, each with the unit vector in its direction.
     across: [(f64, Vector); 2],
@@ -91,8 +91,8 @@ impl CrankFourBar {
         Ok(())
     }
 
-    /// Sets the angles of the two links after they were placed as those of any dyad. The whole turns of each angle
-    /// follow from a constant angle, from which it differs by at most half a turn.
+    /// Sets the angles of the two links after they were placed like the links of any dyad. The whole turns of each
+    /// angle follow from a constant angle, from which it differs by at most half a turn.
     ///
     /// If the crank is shorter than the frame, the direction φ₅ of the diagonal is within a quarter turn of AD. So φ₂
     /// and φ₃ are within half a turn of π/2 or, for the sign minus, of −π/2.

@@ -113,14 +113,15 @@ mod tests {
         );
     }
 
-    /// A satellite on an equal sun that is held turns at 2: it is at 180°, and v = (−2, 0) + 2·(0, −1).
+    /// A satellite on an equal sun that is held turns at 2 and is at 180°. Its point has the velocity (−2, 0) + 2·(0,
+    /// −1).
     #[test]
     fn a_satellite_on_an_equal_sun_turns_twice_as_fast_as_its_carrier() {
         check(2.0, [[-1.0, 2.0], [-2.0, -2.0], [4.0, -2.0]]);
     }
 
-    /// Inside a held ring of three times its size, a satellite turns at 1 − 3 = −2 and is at −180°, and v = (−2, 0) −
-    /// 2·(0, −1).
+    /// Inside a held ring of three times its size, a satellite turns at 1 − 3 = −2 and is at −180°. Its point has the
+    /// velocity (−2, 0) − 2·(0, −1).
     #[test]
     fn a_satellite_in_a_ring_of_three_times_its_size_turns_back_twice() {
         check(-2.0, [[-1.0, 2.0], [-2.0, 2.0], [4.0, -2.0]]);

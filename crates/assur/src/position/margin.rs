@@ -11,8 +11,11 @@ pub(crate) enum Dead {
     Beyond,
 }
 
-/// True if a margin is positive. False if it is zero within rounding error and no derivatives are required, which would
-/// be unbounded. `scale` is the size of the squared lengths in the margin.
+/// Returns true if a margin is positive, and false if it is zero within rounding and no derivatives are required.
+/// `scale` is the size of the squared lengths in the margin.
+///
+/// # Errors
+/// The margin is negative, or derivatives are required at a zero margin, where they would be unbounded.
 pub(crate) fn clear<const N: usize>(margin: Jet<N>, scale: f64) -> Result<bool, Dead> {
     if margin.value() > tolerance::CONVERGED * scale {
         Ok(true)

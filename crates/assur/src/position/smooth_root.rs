@@ -171,8 +171,8 @@ mod tests {
         }
     }
 
-    /// The root of (x − 2)² is x − 2 or, with the other sign, 2 − x. It is used up to half of the distance of the
-    /// nodes.
+    /// The root of (x − 2)² is x − 2 or, with the other sign, 2 − x. The interpolation is valid up to half of the
+    /// distance of the nodes.
     #[test]
     fn the_root_keeps_its_sign_after_the_change_point() {
         let square = |x: f64| Jet::linear(x - 2.0, 1.0).square();
@@ -195,7 +195,7 @@ mod tests {
         }
     }
 
-    /// The series of root/u at the change point has four terms. That of the root x(1 + x) needs only two.
+    /// The series of root/u at the change point has four terms. For the root x(1 + x) two terms suffice.
     #[test]
     fn a_series_at_the_change_point_alone() {
         let x = Jet::linear(0.0, 1.0);

@@ -94,7 +94,8 @@ pub(crate) trait Solvable {
         context: &StepContext<'_, N>,
     ) -> Result<(), Cause>;
 
-    /// Bounds the motion of the bodies over a step of the input; true if the bodies certainly stay in their assembly.
+    /// Bounds the motion of the bodies over a step of the input. Returns true if the bodies certainly stay in their
+    /// assembly.
     fn enclose(&self, step: StepId, from: &Predictor, cell: &mut Enclosure) -> bool;
 
     /// Bodies that the step places.

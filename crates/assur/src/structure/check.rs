@@ -119,7 +119,8 @@ fn driven(graph: &Graph, drivers: &[Driver]) -> Vec<Fault> {
     faults
 }
 
-/// For each link, whether pairs connect it to the ground; and all nodes so connected: links and points of hinges.
+/// Returns for each link whether pairs connect it to the ground. Then lists all nodes connected to the ground: links
+/// and points of hinges.
 fn joined_to_ground(graph: &Graph) -> (Vec<bool>, Vec<usize>) {
     let mut parts = Partition::new(graph.links);
     for pair in &graph.pairs {

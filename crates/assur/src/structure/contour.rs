@@ -149,8 +149,8 @@ mod tests {
         assert_eq!(longest(8, &joints), 6);
     }
 
-    /// Three paths of 2, 4 and 4 pairs between two bodies. Drawn with the path of 2 outermost, they show a contour of 8
-    /// pairs; but this contour is the sum of two contours of 6.
+    /// Three paths of 2, 4 and 4 pairs between two bodies. If the path of 2 is drawn outermost, the other two paths
+    /// enclose a contour of 8 pairs. This contour is the sum of two contours of 6.
     #[test]
     fn a_contour_made_of_lower_ones_does_not_count() {
         let joints = [

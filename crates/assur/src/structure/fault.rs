@@ -77,8 +77,8 @@ pub enum Fault {
         excess: usize,
     },
     /// Links of one group or body in which prismatic pairs alone determine an angle twice. These pairs form a ring, or
-    /// a chain between links whose angles are given. A translation stays free, although the count of freedoms is right.
-    /// Example: a group of two links and three prismatic pairs.
+    /// a chain between links whose angles are given. A translation then stays free, although the count of freedoms is
+    /// right. An example is a group of two links and three prismatic pairs.
     Sliding {
         /// The links.
         links: Vec<usize>,

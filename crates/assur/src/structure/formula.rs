@@ -9,8 +9,8 @@ impl Structure {
         self.terms(name).join(" → ")
     }
 
-    /// The terms of the structural formula, one for each step: the class, for a group the order as a subscript, and the
-    /// links in brackets. `name` returns the name of a link. A + stands between the links of one body.
+    /// The terms of the structural formula, one for each step: the class, for a group with its order as a subscript,
+    /// and the links in brackets. `name` returns the name of a link. A + stands between the links of one body.
     pub fn terms<N: Display>(&self, name: impl Fn(usize) -> N) -> Vec<String> {
         let body = |links: &[usize]| {
             let names = links.iter().map(|&link| name(link).to_string());

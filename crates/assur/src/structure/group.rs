@@ -30,7 +30,7 @@ pub struct Outer {
     pub pair: usize,
     /// The link of the group.
     pub link: usize,
-    /// The link solved before the group. If the hinge joins several such links, the one solved first.
+    /// The link solved before the group. If the hinge joins several links solved before the group, the first of them.
     pub base: usize,
 }
 
@@ -85,8 +85,8 @@ impl Group {
             dyad: None,
             surplus,
         };
-        // For the class: the number of bodies, with substitute links of higher pairs, and the bodies at each joint.
-        // Outer joints are left out, except those of meshes.
+        // Data for the class: the number of bodies, including the substitute links of higher pairs, and the bodies at
+        // each joint. Outer joints are left out, except the joints of meshes.
         let mut count = group.bodies.len();
         let mut joints: Vec<Vec<usize>> = vec![];
         // The bodies of the group that meet in a pair, each with its lowest link in that pair.

@@ -26,8 +26,9 @@
 //! - III: more links, whose inner pairs close no contour of more than three pairs;
 //! - k ≥ IV: the inner pairs close a contour of k pairs, with variable angles.
 //!
-//! If several contours are closed, those of a minimum cycle basis count: none of them is a sum of shorter contours.
-//! Their lengths depend neither on the basis nor on the drawing: a contour drawn around two others does not count.
+//! If several contours are closed, only the contours of a minimum cycle basis count: none of these is a sum of shorter
+//! contours. Their lengths do not depend on the choice of the basis or on the drawing. For example, a contour drawn
+//! around two others does not count.
 //!
 //! Links without relative motion (a triangle of bars, or a cylinder and its driven piston) are one *body* and count as
 //! one link. A higher pair counts as its substitute, a link with two lower pairs. So a wheel that is hinged to a solved
@@ -332,8 +333,8 @@ impl Depends {
         self.on[link].binary_search(&on).is_ok()
     }
 
-    /// Joins the given links. Every link that depends on one of them then depends on all links on which any of them
-    /// depends.
+    /// Joins the given links: a link that depends on any of them then depends on everything on which at least one of
+    /// them depends.
     fn join(&mut self, links: &BTreeSet<usize>) {
         let of = links.iter().flat_map(|link| self.on[*link].iter().copied());
         let all: BTreeSet<usize> = of.collect();

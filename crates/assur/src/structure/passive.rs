@@ -6,8 +6,8 @@ use super::check::check;
 use super::{Driver, Graph, Group, Outer, Pair, Step, Structure, decompose};
 
 /// Decomposes a linkage without its passive links, then adds one step for each of them. A passive link has two pairs;
-/// without it the linkage has one surplus constraint less and moves the same. Counting cannot show the latter: `moves`
-/// returns true if the linkage moves the same without given links. None if surplus constraints or faults remain.
+/// without it the linkage has one surplus constraint less and moves the same. Counting cannot show whether the linkage
+/// moves the same without given links, so `moves` decides this. None if surplus constraints or faults remain.
 pub fn with_passive_links(
     graph: &Graph,
     drivers: &[Driver],

@@ -250,7 +250,8 @@ mod tests {
         Pebbles::count(&graph, &[], |_| true)
     }
 
-    /// Free pebbles are freedoms, those of the plane included: W + 3. Triangle 0 + 3, four-bar 1 + 3, five-bar 2 + 3.
+    /// The free pebbles are the freedoms of the linkage in the plane: the mobility W plus the 3 of a rigid body.
+    /// Triangle 0 + 3, four-bar 1 + 3, five-bar 2 + 3.
     #[test]
     fn free_pebbles_are_the_freedoms() {
         for (hinges, freedoms) in [

@@ -2,9 +2,10 @@
 //! wanted stroke over the rest of the turn.
 //!
 //! The dimensions are changed one at a time. A change that reduces the defects (deviations from the wanted arc and
-//! stroke) is kept, and the next step of that dimension is twice as large. Otherwise the next step is half as large and
-//! reversed. This is Rosenbrock's search of 1960 without its rotation of axes: the arc of a dwell jumps when the output
-//! leaves the band, so there is no gradient to follow. Each step evaluates one candidate over a full turn.
+//! stroke) is kept, and the next step of this dimension is twice as large. After any other change, the next step of
+//! this dimension is half as large and reversed. This is Rosenbrock's search of 1960 without its rotation of axes: the
+//! arc of a dwell jumps when the output leaves the band, so there is no gradient to follow. Each step evaluates one
+//! candidate over a full turn.
 
 use crate::mechanism::{Dimension, Mechanism, Quantity};
 use crate::motion::{Motion, OutputProfile};
@@ -59,7 +60,7 @@ pub struct Evaluation {
     pub arc: f64,
     /// Difference of the output's maximum and minimum.
     pub stroke: f64,
-    /// Root of the summed squares of the relative defects of arc and stroke; too long an arc is no defect.
+    /// Root of the sum of the squares of the relative defects of arc and stroke. An arc that is too long is no defect.
     pub residual: f64,
     /// Singularity margin of the motion ([`Motion::singularity_margin`]).
     pub singularity_margin: f64,
@@ -266,7 +267,7 @@ fn judged(motion: &Motion, output: Quantity, target: Target) -> Option<Evaluatio
     if !motion.cycle().is_full() || singularity_margin.abs() < tolerance::NEAR {
         return None;
     }
-    // A candidate whose cycle takes too many turns has no profile, and so is not accepted.
+    // A candidate whose cycle takes too many turns has no profile. It is therefore not accepted.
     let profile = OutputProfile::new(motion, output).ok()?;
     let arc = profile.dwell(target.tolerance)?.length();
     // An output that rotates continuously is infinitely far from any target.

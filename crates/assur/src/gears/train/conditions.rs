@@ -76,7 +76,8 @@ pub struct Condition {
 const SHIFTED_TEETH: f64 = 2.0;
 
 impl Condition {
-    /// True for an unmet condition of coaxiality that profile shift may satisfy: its sides differ by at most two teeth.
+    /// True for an unmet condition of coaxiality that profile shift may satisfy, because its sides differ by at most
+    /// two teeth.
     pub fn within_profile_shift(&self) -> bool {
         let off = (self.left - self.right).abs();
         self.kind == ConditionKind::Coaxiality && !self.met() && off <= SHIFTED_TEETH

@@ -48,7 +48,8 @@ impl Train {
 impl Layout {
     /// Mounting angles of satellites and ring. `plates` is the number of plates per period: 1 for teeth and like poles,
     /// which face gaps, and 2 for alternating poles, where north faces south. The phases of wheels in mesh differ by
-    /// half a period; for satellites that cannot be [mounted](super::Differential::assembly), only at the sun.
+    /// half a period. For satellites that cannot be [mounted](super::Differential::assembly), this holds only at the
+    /// sun.
     pub fn mounting(&self, plates: u32) -> Mounting {
         let [sun, satellite, step, ring] = self.train().periods(plates);
         let mounted = self.train().ring_mounting_of(plates);
@@ -81,8 +82,8 @@ impl Layout {
         }
     }
 
-    /// Positions of all satellites, their teeth in the gaps of the sun; none for bevel wheels. `angles` are
-    /// the rotations of the shafts since the first satellite was to the right of the central axis.
+    /// Positions of all satellites, with their teeth in the gaps of the sun; none for bevel wheels. `angles` are the
+    /// rotations of the shafts since the first satellite was to the right of the central axis.
     pub fn places(&self, coupling: Coupling, angles: &Shafts) -> Option<Vec<Place>> {
         if self.train().kind() == Kind::Bevel {
             return None;
@@ -151,8 +152,9 @@ mod tests {
         }
     }
 
-    /// The sun has a tooth at 0°, so the satellite has a gap at 180°: half a pitch of 18° from its tooth at 171°. At 0°
-    /// it has a gap again, 9.5 pitches from this tooth, so the ring has a tooth there, or whole pitches of 6° farther.
+    /// The sun has a tooth at 0°, so the satellite has a gap at 180°. Its tooth at 171° is half of its pitch of 18°
+    /// away. At 0° the satellite has a gap again, 9.5 pitches from this tooth, so the ring has a tooth at 0°, and at
+    /// every multiple of its pitch of 6°.
     #[test]
     fn a_tooth_of_the_sun_meets_a_gap_of_the_first_satellite() {
         let mounting = layout(4.0).mounting(1);

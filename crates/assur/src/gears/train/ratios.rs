@@ -27,7 +27,7 @@ impl Ratio {
 }
 
 impl fmt::Display for Ratio {
-    /// Writes the notation `1/3(4)`: speed of link 1 divided by that of link 3, link 4 held.
+    /// Writes the notation `1/3(4)`: the speed of link 1 divided by the speed of link 3, with link 4 held.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [of, to, held] = [self.of, self.to, self.held].map(Shaft::number);
         write!(f, "{of}/{to}({held})")
@@ -129,8 +129,8 @@ mod tests {
         );
     }
 
-    /// If z₁ < z₄, the largest ratio is that of sun to carrier, 1 + z₄/z₁. If z₁ = z₄, that of ring to carrier is as
-    /// large.
+    /// If z₁ < z₄, the largest ratio is ω₁/ω₃ of sun to carrier, 1 + z₄/z₁. If z₁ = z₄, the ratio of ring to carrier is
+    /// as large.
     #[test]
     fn the_largest_ratio_is_of_the_shaft_with_the_least_weight() {
         for (sun, ring, expected) in [

@@ -7,8 +7,8 @@ impl Layout {
     /// The paper's relations at these speeds of sun, satellite, carrier and ring, rad/s. Empty for stepped and bevel
     /// trains, which the paper does not treat. Lengths are in the unit of the module.
     ///
-    /// The gaps between pitch circles (δ₁₂ at the sun, δ₂₄ at the ring) are given only for a magnetic coupling; so are
-    /// the clearances c₁₂ and c₂₄ between the tips, computed for teeth of standard height.
+    /// For a magnetic coupling the list also contains the gaps between pitch circles (δ₁₂ at the sun, δ₂₄ at the ring),
+    /// and the clearances c₁₂ and c₂₄ between the tips of teeth of standard height.
     pub fn relations(&self, coupling: Coupling, speeds: &[f64; 4]) -> Vec<Relation> {
         if self.train().kind() != Kind::Planar {
             return Vec::new();

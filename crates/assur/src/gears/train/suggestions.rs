@@ -114,8 +114,8 @@ mod tests {
         }
     }
 
-    /// Of the trains next to 20, 21 and 60 teeth only 20, 20 and 60 is coaxial, 60 = 20 + 2·20; it takes four
-    /// satellites.
+    /// Of the trains that differ from 20, 21 and 60 teeth by one tooth, only 20, 20 and 60 is coaxial, 60 = 20 + 2·20.
+    /// Four satellites can be mounted in it.
     #[test]
     fn the_nearest_train_has_one_tooth_less() {
         let train = Train::planar([20.0, 21.0, 60.0]).unwrap();

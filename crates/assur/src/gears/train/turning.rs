@@ -302,7 +302,7 @@ impl Turning {
         })
     }
 
-    /// Motor that moves a driven shaft, and the ratio of the shaft's motion to that of the motor.
+    /// Motor that moves a driven shaft, and the ratio of the shaft's motion to the motion of the motor.
     fn motor(&self, this: usize) -> (Motor, f64) {
         match (self.driven[this].1, self.driven[1 - this].1) {
             (Motor::Other(factor), other) => (other, factor),
@@ -362,8 +362,8 @@ mod tests {
         }
     }
 
-    /// A speed that rises over 4 s: half of the full speed after 2 s, and as many turns as in 0.5 s at full speed; from
-    /// 4 s on, 2 s are lost.
+    /// A speed that rises over 4 s. After 2 s it is half of the full speed, and the shaft has made as many turns as in
+    /// 0.5 s at full speed. From 4 s on, the turns are those of 2 s less at full speed.
     #[test]
     fn a_linear_rise_costs_half_its_time() {
         for (time, expected) in [

@@ -99,8 +99,9 @@ impl Layout {
 mod tests {
     use super::*;
 
-    /// Teeth 20, 20 and 60, module 1: radii 10 and 30, axis distance 20. Sun at 10 and ring at 2 give the carrier 4 and
-    /// the satellite −2: velocities 10·10, 20·4 and 30·2, and 0 at 20 + 40 from the axis.
+    /// Teeth 20, 20 and 60, module 1: radii 10 and 30, axis distance 20. With the sun at 10 and the ring at 2, the
+    /// carrier turns at 4 and the satellite at −2. The velocities are 10·10, 20·4 and 30·2, and zero at 20 + 40 from
+    /// the axis.
     #[test]
     fn the_velocity_triangle_of_a_satellite() {
         let train = Train::planar([20.0, 20.0, 60.0]).unwrap();

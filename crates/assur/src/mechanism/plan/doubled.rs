@@ -1,5 +1,5 @@
-//! Doubled links. A doubled link shares two or more points with another body, at the same positions on both. So the two
-//! are one body.
+//! Doubled links. A doubled link shares two or more points with another body, at the same positions on both, so it is
+//! one body with the other.
 
 use crate::index::{BodyId, Id, LinkId, PointId};
 use crate::linkage::spec::{Defect, LinkageSpec, extent};
@@ -69,8 +69,8 @@ impl Layout {
         Some((other + product(at - there, conjugate(turned))).into())
     }
 
-    /// First point of a link, in the coordinates of the link and in those of its body; then the turn e^(iθ) of the
-    /// link's axes relative to the body's. None if the link has no shape.
+    /// First point of a link, in the coordinates of the link and in the coordinates of its body; then the turn e^(iθ)
+    /// of the link's axes relative to the axes of the body. None if the link has no shape.
     fn axes(&self, spec: &LinkageSpec, link: LinkId) -> Option<[Vector; 3]> {
         let Part { body, points, .. } = &self.links[link];
         let shape = spec.links[link.index()].shape.as_ref()?;

@@ -43,7 +43,7 @@ pub(in crate::mechanism) struct Drawn<'a> {
     pub(in crate::mechanism) orientations: &'a List<BodyId, Orientation>,
 }
 
-/// The bodies, and which of them are placed by the steps planned so far.
+/// The bodies of a mechanism during planning. `solved` marks the bodies that the steps planned so far place.
 pub(in crate::mechanism) struct Placed<'a> {
     pub(in crate::mechanism) bodies: &'a Bodies,
     pub(in crate::mechanism) placements: &'a List<LinkId, Placement>,

@@ -1,4 +1,4 @@
-//! Specification with indices in place of names; every named object exists.
+//! Specification with indices in place of names. Every object referred to exists.
 
 use crate::gears::Mesh;
 use crate::index::{BodyId, Id, LinkId, List, PointId, SlideId};
@@ -12,10 +12,10 @@ use crate::{Point, Vector};
 #[derive(Debug)]
 pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) spec: &'a LinkageSpec,
-    /// Origin of the coordinates used while solving, in the coordinates of the drawing. Each of its coordinates is that
-    /// of the first fixed point if this exceeds twice the size of the drawing, since large coordinates lose digits;
-    /// otherwise 0. Subtracting it is exact (Sterbenz's lemma), so a direction given by two points close together is
-    /// not changed.
+    /// Origin of the coordinates used while solving, in the coordinates of the drawing. It is 0 on each axis on which
+    /// the coordinate of the first fixed point is at most twice the size of the drawing. On any other axis it equals
+    /// this coordinate, because large coordinates lose digits. Subtracting the origin is exact (Sterbenz's lemma), so a
+    /// direction given by two points close together is not changed.
     pub(in crate::mechanism) origin: Vector,
     /// Drawn positions of the points, relative to `origin`.
     pub(in crate::mechanism) places: List<PointId, Vector>,
@@ -26,7 +26,7 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) drivers: Vec<Driver>,
     /// Tracers with the links that carry them.
     pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
-    /// Link from which each body is made, to which others may be fixed; None for the frame.
+    /// Link from which each body is made; other links may be fixed to it. None for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,
     /// Points that doubled links add to each body, with their positions on the body.
     pub(in crate::mechanism) brought: List<BodyId, Vec<(PointId, Vector)>>,
@@ -202,8 +202,8 @@ impl<'a> Resolved<'a> {
     }
 }
 
-/// Body of a link: its own, or that of the link to which it is ultimately fixed. None if links are fixed to each other
-/// in a ring.
+/// Body of a link: the link's own body, or the body of the link to which it is ultimately fixed. None if links are
+/// fixed to each other in a ring.
 fn body(
     link: LinkId,
     bases: &List<LinkId, Option<LinkOrFrame>>,

@@ -99,7 +99,7 @@ fn contradicting<'a>(
     })
 }
 
-/// True if other couplings also join the wheels of a gear coupling.
+/// True if the two wheels of a gear coupling are also joined through other couplings.
 fn closes_ring(count: usize, bodies: &Bodies, closing: &Gear) -> bool {
     let mut parts = Partition::new(count);
     let gears = bodies.active_gears();

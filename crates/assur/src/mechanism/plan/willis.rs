@@ -45,7 +45,8 @@ impl Equation {
         Some(())
     }
 
-    /// This equation with a body eliminated by means of another equation, in the smallest integers; None on overflow.
+    /// This equation after a body is eliminated by means of another equation, with the smallest integer coefficients;
+    /// None on overflow.
     fn without(&self, body: BodyId, other: &Self) -> Option<Self> {
         let (Some(own), Some(its)) = (self.factor(body), other.factor(body)) else {
             return Some(self.clone());
@@ -125,7 +126,8 @@ impl Solved {
     }
 }
 
-/// Marks the passive gear couplings, such as those of a second satellite: their equations follow from earlier ones.
+/// Marks the passive gear couplings, whose equations follow from earlier ones. The couplings of a second satellite are
+/// an example.
 pub(in crate::mechanism) fn mark_passive(gears: &mut [Gear]) {
     let mut solved = Solved::default();
     for gear in gears {

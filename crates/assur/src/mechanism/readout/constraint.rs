@@ -42,7 +42,8 @@ pub enum ConstraintKind {
         /// Points P and Q.
         line: [PointId; 2],
     },
-    /// `θ − θ₀ = α`: a link that slides, at the angle θ, keeps its angle α to the link with the line, at the angle θ₀.
+    /// `θ − θ₀ = α`: a sliding link at the angle θ keeps its angle α to the link with the line, which is at the angle
+    /// θ₀.
     Direction {
         /// The link that slides.
         link: LinkOrFrame,

@@ -72,8 +72,8 @@ impl Mechanism {
         u.perp(&v).abs().atan2(u.dot(&v).abs())
     }
 
-    /// Squared distance between the outer joints of a dyad. By the law of cosines it is a decreasing function of the
-    /// cosine of the angle between the links, so distance and angle have their extrema at the same inputs.
+    /// Squared distance between the outer joints of a dyad. By the law of cosines this square decreases linearly with
+    /// the cosine of the angle between the links, so distance and angle have their extrema at the same inputs.
     pub(crate) fn diagonal<const N: usize>(&self, pose: &Pose<N>, dyad: &RrrDyad) -> Jet<N> {
         let [b, d] = dyad.outer.map(|outer| self.place(pose, outer.point));
         let (x, y) = (d.x - b.x, d.y - b.y);

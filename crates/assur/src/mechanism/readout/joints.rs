@@ -25,7 +25,8 @@ pub enum Joint {
         /// Two points of the body with the line, through which the line runs.
         line: [PointId; 2],
     },
-    /// Wheels in mesh, `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0`: angular velocities ω₁ and ω₂ of the wheels, ω₀ of the carrier.
+    /// Wheels in mesh: `z₁(ω₁ − ω₀) + z₂(ω₂ − ω₀) = 0` with the angular velocities ω₁ and ω₂ of the wheels and ω₀ of
+    /// the carrier.
     Mesh {
         /// The wheels.
         bodies: [BodyId; 2],
@@ -149,8 +150,8 @@ impl Mechanism {
         (place * self.scale_of_places() + self.layout.origin).into()
     }
 
-    /// Twist of a body: a velocity and an angular velocity, both with respect to the input. The velocity is that of the
-    /// body's point at the origin of [`Self::scaled`], in the same unit.
+    /// Twist of a body: a velocity and an angular velocity, both with respect to the input. The velocity belongs to the
+    /// point of the body at the origin of [`Self::scaled`], and is in the unit of these coordinates.
     pub(crate) fn twist<const N: usize>(&self, pose: &Pose<N>, body: BodyId) -> (Vector, f64) {
         let origin: JetPoint<N> = pose.state.bodies[body].origin.into();
         let spin = pose.state.angle(body).derivative(1);

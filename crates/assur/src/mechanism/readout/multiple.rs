@@ -1,4 +1,4 @@
-//! Angles that are linear functions of other angles: those of wheels, and of links fixed to other links.
+//! Angles that are linear functions of other angles: the angles of wheels, and of links fixed to other links.
 
 use crate::index::LinkId;
 use crate::mechanism::{Layout, Mechanism};
@@ -16,9 +16,9 @@ pub struct Multiple {
 }
 
 impl Mechanism {
-    /// Angle of a link as a linear function of the angle of one link, the same at all inputs. The argument is the angle
-    /// of the base for a link fixed to another link, and that of the driving link for a wheel or carrier that only one
-    /// link turns. For any other link it is the link's own angle.
+    /// Angle of a link as a linear function of the angle of one link, the same at all inputs. For a link fixed to
+    /// another link, the argument is the angle of the base. For a wheel or carrier that only one link turns, it is the
+    /// angle of this driving link. For any other link it is the link's own angle.
     pub fn multiple_of(&self, link: LinkId) -> Multiple {
         self.layout.multiple_of(link, self.mounting())
     }

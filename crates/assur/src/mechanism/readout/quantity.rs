@@ -88,7 +88,8 @@ impl Quantity {
         }
     }
 
-    /// Name of the link or point of the quantity, or of a dyad's inner joint; several names are joined by hyphens.
+    /// Name of the link or point to which the quantity belongs, or of the inner joint for the angle of a dyad. Several
+    /// names are joined by hyphens.
     pub fn subject(self, mechanism: &Mechanism) -> Cow<'_, str> {
         let points = |points: &[PointId]| {
             let names = points.iter().map(|point| mechanism.point_name(*point));
@@ -137,8 +138,8 @@ impl Quantity {
         }
     }
 
-    /// Maximum of the folded angle in quarter turns: 2 for a corner, which is folded at every half turn; 1 for the
-    /// angle between two lines, which is folded at every quarter turn.
+    /// Maximum of the folded angle in quarter turns. It is 2 for a corner, which is folded at every half turn, and 1
+    /// for the angle between two lines, which is folded at every quarter turn.
     fn folds(self) -> f64 {
         if matches!(self, Self::Corner(_)) {
             2.0

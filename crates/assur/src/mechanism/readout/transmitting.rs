@@ -92,7 +92,7 @@ impl Mechanism {
         self.length_between(dyad.rod, [dyad.inner, dyad.outer.point])
     }
 
-    /// Rise of a dyad's rod, from the outer to the inner hinge: its component perpendicular to the line of the slide.
+    /// Component of a dyad's rod perpendicular to the line of the slide, from the outer to the inner hinge.
     pub(crate) fn rise<const N: usize>(&self, pose: &Pose<N>, dyad: &RrpDyad) -> Jet<N> {
         let Step::Rrp(Rrp { arm, track }) = &self.steps()[dyad.step] else {
             debug_assert!(false, "a dyad of this mechanism");

@@ -3,8 +3,8 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// If a step of at most this length fails, the input is moved too. Lengths are relative to the range of the changed
-/// dimension; this one is the range halved ten times.
+/// Maximum length of a step after whose failure the input is moved. Failed longer steps are halved. Lengths are
+/// relative to the range of the changed dimension.
 const MIN_STEP: f64 = 1.0 / 1024.0;
 /// Number of tried steps after which a failed step ends the path, unless moving the input helps.
 const MAX_TRIES: usize = 200;
@@ -62,9 +62,9 @@ impl Path {
     }
 }
 
-/// Moves the input by one of [`INPUT_STEPS`], forwards or backwards: by the one that gives the opened loop the largest
-/// [`Assembled::margin`]. Up to eight moves in the same sense follow while the margin grows. None if the linkage cannot
-/// be assembled after any of the first moves.
+/// Moves the input by one of [`INPUT_STEPS`], forwards or backwards. Of these moves, the one that gives the opened loop
+/// the largest [`Assembled::margin`] is taken. Up to eight moves in the same sense follow while the margin grows. None
+/// if the linkage cannot be assembled after any of the first moves.
 fn give_way(here: &Assembled, setting: Setting, open: &LoopOpen) -> Option<Assembled> {
     let margin = |one: &Assembled| one.margin(open.step);
     let better = |a: &Assembled, b: &Assembled| margin(a).total_cmp(&margin(b));

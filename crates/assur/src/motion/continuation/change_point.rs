@@ -197,10 +197,10 @@ impl Continuation<'_> {
         true
     }
 
-    /// Solves the trial pose beyond a change point, with the signs that are valid there. Its distance from the change
-    /// point is that of the current pose or, if less, that of the next input at which the motion may repeat, but at
-    /// least [`PROBE_DISTANCE`] of the span. Returns the pose at the change point and the input of the trial pose; None
-    /// if the step is not certified.
+    /// Solves the trial pose beyond a change point, with the signs that are valid there. The distance beyond the change
+    /// point equals the distance of the current pose before it. It is reduced if the motion may repeat at a nearer
+    /// input, but not below [`PROBE_DISTANCE`] of the span. Returns the pose at the change point and the input of the
+    /// trial pose; None if the step is not certified.
     fn solve_past(&mut self, found: &ChangePoint, sense: f64) -> Option<(Predictor, f64)> {
         let least = PROBE_DISTANCE * self.mechanism.span();
         let [before, left] =

@@ -116,8 +116,8 @@ impl Curve<'_> {
     /// Input at the fold between two points a step apart, where the rate of the input is zero.
     fn fold_between(&self, here: &CurvePoint, next: &CurvePoint, step_len: f64) -> Option<f64> {
         let [first, last] = [here, next].map(|point| self.rate(point));
-        // The input differs from that of the fold by rate² / (2 · slope of the rate). If this is only rounding, the
-        // rate counts as zero.
+        // The input differs from the input of the fold by rate² / (2 · slope of the rate). If this is only rounding,
+        // the rate counts as zero.
         let negligible = f64::EPSILON * (last - first).abs() / step_len;
         let point = |length: f64| self.corrected(&here.at, &here.tangent, length);
         let rate = |length: f64| {

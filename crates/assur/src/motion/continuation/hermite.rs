@@ -3,8 +3,8 @@
 /// Taylor coefficients of a function at an end, orders 0 to 3.
 pub(super) type Taylor = [f64; 4];
 
-/// Values of several Hermite polynomials at an input; beyond an end, their values at this end. Each end is given by its
-/// input and the coefficients of all functions.
+/// Values of several Hermite polynomials at an input. Beyond an end, the values at this end are returned. Each end is
+/// given by its input and the coefficients of all functions.
 pub(super) fn interpolated<'a>(
     [(from, start), (to, end)]: [(f64, &'a [Taylor]); 2],
     input: f64,

@@ -21,7 +21,7 @@ pub(in crate::motion) struct Knots {
     /// Index for look-up in constant time: the number of knots before each cell and, as its last element, of all knots.
     /// [`Knots::index`] divides the range into as many equal cells as there are knots.
     counts_before: Vec<usize>,
-    /// Cells per unit of input; `first` is the input at which the cells begin.
+    /// Cells per unit of input. The cells begin at the input `first`.
     cells_per_unit: f64,
     first: f64,
     /// Square roots of steps near change points, signed so that the roots are smooth there.
@@ -134,7 +134,7 @@ impl Knots {
         self.margins[step]
     }
 
-    /// Scales the determinants of a group by a power of two.
+    /// Scales the determinants of a group by `factor`, a power of two.
     pub(in crate::motion) fn scale_margins(&mut self, step: StepId, factor: f64) {
         for knot in &mut self.list {
             knot.margins[step] *= factor;

@@ -17,8 +17,8 @@ use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, Sta
 use crate::{Jet, tolerance};
 use knots::MAX_TURN;
 
-/// Number of successful steps before a longer one is tried. Trying more often would not pay: a failed step costs as
-/// much as a successful one.
+/// Number of successful steps before a longer one is tried. More frequent trials would take longer in total, because a
+/// failed step costs as much as a successful one.
 const STEPS_BEFORE_LONGER: usize = 4;
 /// Length of the next step, as a fraction of the length estimated to be certifiable. It is below 1, because the bounds
 /// used in the estimate grow a little along a step.
@@ -151,8 +151,8 @@ impl<'a> Continuation<'a> {
         let longest = longest_step(self.mechanism);
         let mut width = longest;
         let mut successes = STEPS_BEFORE_LONGER;
-        // The search for a singular pose of a group is expensive: it is made only if a step shorter than this fails,
-        // and again only if a still shorter one fails.
+        // The search for a singular pose of a group is expensive. It is made only if a step shorter than this fails,
+        // and repeated only if a still shorter step fails.
         let short = tolerance::NEGLIGIBLE * self.mechanism.span();
         let mut searched_at = short;
         while (target - self.input) * sense > 0.0 {
@@ -163,8 +163,8 @@ impl<'a> Continuation<'a> {
                 target
             };
             let tried = width.min(left);
-            // Work is counted by the length of the step. Solving costs the same at any length, but more samples are
-            // later read in a longer step.
+            // Work is counted by the length of the step. Solving takes the same time at any length, but a longer step
+            // contains more samples, which are read later.
             let samples = (tried / cell).ceil() as usize;
             let bodies = self.mechanism.bodies().len();
             let Some(work) = self.work.checked_sub(samples * bodies) else {

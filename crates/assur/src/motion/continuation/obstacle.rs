@@ -16,8 +16,8 @@ impl Continuation<'_> {
     /// Nearest fold of any group just ahead. Near a fold the rates of dependent groups grow without bound, so a
     /// dependent group may be the first one that cannot be certified.
     pub(super) fn singular(&self, sense: f64) -> Option<DeadPoint> {
-        // Near a fold, steps shorten in proportion to their distance from it. Steps this short mean that the fold is
-        // within this window.
+        // Near a fold, the length of certified steps is proportional to the distance from the fold. Steps this short
+        // mean that the fold is within this window.
         let window = tolerance::DISTINCT * self.mechanism.span();
         let ahead = |input: &f64| (0.0..=window).contains(&((input - self.input) * sense));
         let steps = self.mechanism.steps().ids();

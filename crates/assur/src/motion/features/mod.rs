@@ -20,7 +20,7 @@ pub struct Features {
     pub zeros: Vec<f64>,
     /// Local extrema of the quantity.
     pub extrema: Vec<Extremum>,
-    /// Value of a constant quantity, 0 if it differs from 0 only by rounding; None if the quantity varies.
+    /// Value of a constant quantity; 0 if the value differs from 0 only by rounding. None if the quantity varies.
     pub level: Option<f64>,
 }
 
@@ -111,8 +111,9 @@ impl Motion {
         searchable(self.cycle())
     }
 
-    /// Scale of tolerances for a quantity: 1 for an angle, and the size of the mechanism for a coordinate. A distance
-    /// may be one of a small part of the drawing, so its scale is the smallest of [`Self::unit_within`].
+    /// Scale of tolerances for a quantity: 1 for an angle, and the size of the mechanism for a coordinate. The points
+    /// of a distance may be in a small part of the drawing, so the scale of a distance is the minimum of
+    /// [`Self::unit_within`].
     pub(super) fn unit(&self, quantity: Quantity) -> f64 {
         match quantity {
             Quantity::X(_) | Quantity::Y(_) => self.mechanism().size(),
@@ -169,8 +170,8 @@ impl Motion {
         [value, rate(first), rate(second)]
     }
 
-    /// Quantity of which a given quantity is a multiple, and the factor. An angle with an offset has its own zeros and
-    /// is a multiple of itself only.
+    /// Quantity of which a given quantity is a multiple, and the factor. The zeros of an angle with an offset are not
+    /// those of the other angle, so such an angle counts as a multiple of itself only.
     fn multiple(&self, quantity: Quantity) -> (Quantity, f64) {
         let Quantity::Angle(link) = quantity else {
             return (quantity, 1.0);

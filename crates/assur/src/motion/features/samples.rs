@@ -79,11 +79,11 @@ pub(super) fn searchable(cycle: &Cycle) -> Result<(), TooManyTurns> {
     Ok(())
 }
 
-/// Closes the samples of a full cycle; other samples are returned unchanged. The samples given run from half a cycle
-/// before the start of the cycle to half a cycle after it. For a derivative (`order` above 0) they stay there, and the
-/// last takes the values of the first. For the function itself, the samples before the start are moved one cycle later,
-/// and a sample is added at the end of the cycle. If the function grows over a cycle, as the angle of a turning link
-/// does, that growth is added to the moved samples.
+/// Closes the samples of a full cycle; other samples are returned unchanged. The given samples run from half a cycle
+/// before the start of the cycle to half a cycle after it. The samples of a derivative (`order` above 0) keep their
+/// inputs, and the last takes the values of the first. For the function itself, the samples before the start are moved
+/// one cycle later, and a sample is added at the end of the cycle. If the function grows over a cycle, as the angle of
+/// a turning link does, its growth is added to the moved samples.
 pub(super) fn closed(
     cycle: &Cycle,
     mut samples: Samples,

@@ -56,8 +56,9 @@ impl OutputProfile<'_> {
         let level = |k: usize| low + (high - low) * (k as f64 + 0.5) / LEVELS as f64;
         let mut best: Option<Dwell> = None;
         let ends = [0, LEVELS - 1].map(|k| Some((k, flank.passage(level(k))?)));
-        // The inputs of entry and exit increase with the level. For a level between two others, the arc is therefore at
-        // most as long as from the entry at the lower level to the exit at the upper level.
+        // The inputs of entry and exit increase with the level. For a level between two others, the entry is not before
+        // the entry at the lower level, and the exit not after the exit at the upper level. The difference of
+        // these two inputs bounds the length of the arc.
         let mut open = vec![(ends[0]?, ends[1]?)];
         while let Some(((a, below), (b, above))) = open.pop() {
             let longest = best.map_or(shortest, |best| best.length());

@@ -310,7 +310,7 @@ impl System {
         self.own.iter().map(|form| form.at(z))
     }
 
-    /// Unknowns and conjugates of the group from those of the system.
+    /// Unknowns and conjugates of the group from the unknowns and conjugates of the system.
     pub(super) fn own_both(&self, at: &[C]) -> impl Iterator<Item = C> {
         let (z, w) = at.split_at(self.unknowns);
         let part = |which: usize| self.own.iter().map(move |form| form.both(z, w)[which]);
@@ -321,7 +321,7 @@ impl System {
         self.own.len()
     }
 
-    /// Selects the unknowns and conjugates of the system from those of the group.
+    /// Selects the unknowns and conjugates of the system from the unknowns and conjugates of the group.
     pub(super) fn reduced(&self, own: &[C]) -> Vec<C> {
         let (z, w) = own.split_at(self.own.len());
         let both = [z, w].into_iter();

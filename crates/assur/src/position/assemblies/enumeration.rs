@@ -9,8 +9,8 @@ use crate::tolerance;
 /// Maximum number of random sets of homotopy paths. In exact arithmetic one set leads to all solutions; a solution lost
 /// in one set is found by another.
 const MAX_PATH_SETS: u64 = 6;
-/// Number of hidden directions that must give the same solutions. It applies if the number of solutions for general
-/// dimensions is unknown.
+/// Number of hidden directions that must give the same solutions if the number of solutions for general dimensions is
+/// unknown.
 const AGREEING_DIRECTIONS: usize = 2;
 
 impl System {

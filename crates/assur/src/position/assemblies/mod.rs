@@ -48,7 +48,8 @@ pub(crate) struct GroupAssemblies {
 
 /// One of a pair of complex conjugate assemblies: its squared distance from the other, with the derivative of the
 /// square with respect to the input. The square falls to zero, nearly linearly, at the input at which both become real.
-/// For a dyad out of reach, the negative of a margin takes its place; for two guides, the squared sine of their angle.
+/// For a dyad out of reach, `square` is the negative of a margin; for two guides, the squared sine of the angle between
+/// them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComplexPair {
     pub(crate) square: f64,

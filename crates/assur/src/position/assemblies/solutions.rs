@@ -3,7 +3,8 @@
 use super::bilinear::C;
 use crate::tolerance;
 
-/// Maximum relative distance of a real solution from its conjugate: near a fold rounding errors are large.
+/// Maximum relative distance of a real solution from its conjugate. It allows for the rounding errors near a fold,
+/// which are large.
 pub(super) const REAL: f64 = 1e-5;
 
 /// The solutions of a group's equations: values of the unknowns, each in its unit.

@@ -4,8 +4,9 @@ use super::bilinear::System;
 use super::solutions::Solutions;
 use crate::{Vector, tolerance};
 
-/// Maximum distance, relative to the lengths of the links, between the present parameters (known terms of the group's
-/// equations) and those of a branch's last sample. Farther off, extrapolation of the branch gives a poor guess.
+/// Maximum distance between the present parameters (known terms of the group's equations) and the parameters of a
+/// branch's last sample, relative to the lengths of the links. Farther off, extrapolation of the branch gives a poor
+/// guess.
 pub(super) const MAX_DISTANCE: f64 = 0.25;
 /// Maximum extrapolation, in units of the distance between the last two samples. Errors of samples grow with the square
 /// of the extrapolation.

@@ -1,5 +1,6 @@
 //! Tracking of the assemblies of a group from input to input, each by Newton's method from its extrapolation. The set
-//! is complete if the number of distinct assemblies is that for general dimensions. If not, all are computed again.
+//! is complete if it has as many distinct assemblies as for general dimensions. If not, all assemblies are computed
+//! again.
 //!
 //! Two real assemblies that meet continue as a pair of conjugate assemblies, and conversely. The square of half their
 //! difference passes through zero almost linearly. So two samples before the meeting predict the difference after it.
@@ -64,8 +65,8 @@ impl Group {
     }
 
     /// Tracks all assemblies from their extrapolations; None if some are lost or do not stay distinct. The flag is
-    /// false if a pair was lost and then found again from its mean: a real pair may become complex, and a complex pair
-    /// real.
+    /// false if a pair was lost and then found again from its mean. In this case a real pair may have become complex,
+    /// or a complex pair real.
     fn track<const N: usize>(
         &self,
         extrapolation: &Extrapolation<'_>,
@@ -205,7 +206,7 @@ impl Group {
     }
 }
 
-/// Drops duplicates: of solutions that converged to the same point, the one closest to its extrapolation is kept.
+/// Drops duplicates. If several solutions converged to the same point, the one closest to its extrapolation is kept.
 fn drop_duplicates(distances: &mut [Option<f64>], all: &[C], distance: fn(&[C], &[C]) -> f64) {
     let size = all.len() / distances.len().max(1);
     let at = |k: usize| &all[k * size..][..size];

@@ -68,7 +68,8 @@ impl<const N: usize> Triangle<N> {
         let to_c = self.diagonal * Complex::new(along, root * 0.5);
         let mut to_c = to_c.over(self.square);
         let scale = self.sum * self.sum;
-        // Nearly in line, the constant length hardly determines the derivatives of C, so those of `root` are kept.
+        // Nearly in line, the constant length hardly determines the derivatives of C, so the derivatives from `root`
+        // are kept.
         let is_in_line = root.value().powi(2) < CLOSE_SQUARED * self.square.value() * scale;
         if self.square.value() < CLOSE_SQUARED * scale && !is_in_line {
             to_c = Complex::of_constant_length(to_c.value(), self.diagonal, along);

@@ -56,7 +56,7 @@ pub(in crate::position) fn place(step: &Step, sign: Sign, point: BodyPoint) -> [
     [0, 1, 2].map(|order| [place.x(), place.y()].map(|jet| jet.derivative(order)))
 }
 
-/// The bodies after a step, with the crank at a right angle.
+/// The bodies after a step, with the crank at 90°.
 fn solved(step: &Step, sign: Sign) -> Result<State<3>, Cause> {
     let mut state: State<3> = State::new(4, 1, 0, 10.0);
     let input = Jet::linear(FRAC_PI_2, 1.0);

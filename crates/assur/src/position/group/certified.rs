@@ -233,7 +233,8 @@ impl Group {
         cell.bounds.sums.resize(self.equations.len(), [0.0; 3]);
     }
 
-    /// Inverts the Jacobian; false if it is singular. A redundant equation that is left out has a zero column.
+    /// Inverts the Jacobian; false if it is singular. A redundant equation that is left out has a zero column in the
+    /// inverse.
     fn invert(&self, cell: &mut Enclosure) -> bool {
         let [rows, size] = [self.equations.len(), 2 * self.unknowns];
         let Enclosure { work, bounds, .. } = cell;
@@ -293,7 +294,8 @@ impl Group {
         }
     }
 
-    /// True if no turn e^(iθ) in an angle constraint changes by more than ½, as the bounds of the angles assume.
+    /// True if no turn e^(iθ) in an angle constraint changes by more than ½. The bounds of the angles hold only under
+    /// this condition.
     fn turns_are_bounded(&self, cell: &Enclosure, radius: f64) -> bool {
         let meshed = self.equations.iter().filter_map(|equation| match equation {
             Equation::Angle { turns, .. } => Some(turns),

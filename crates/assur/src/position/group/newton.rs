@@ -1,6 +1,6 @@
 //! Newton's method for the equations of a group. It ends when the step is negligible relative to the size of the group,
-//! or when the residuals are only rounding errors. It has a loop of its own, not that of [`crate::numeric::newton`],
-//! because it takes most of the time of a motion and does not apply its last step.
+//! or when the residuals are only rounding errors. The loop is not that of [`crate::numeric::newton`]: it takes most of
+//! the time of a motion, and it does not apply its last step.
 
 use super::work::Work;
 use super::{Group, Term};
@@ -51,7 +51,8 @@ impl Group {
     ) -> Result<f64, Cause> {
         let work = &mut state.work;
         self.evaluate_forms(work);
-        // The first derivatives are solved for together with each correction; those of the last step are used.
+        // The first derivatives are solved for together with each correction; the derivatives of the last step are
+        // used.
         for (residual, equation) in work.residual.iter_mut().zip(&self.equations) {
             let rate = if N > 1 {
                 equation.coefficient(&work.values, &work.known_angles, 1)
@@ -181,8 +182,8 @@ impl Group {
         })
     }
 
-    /// Largest closure error in the nearby pose: the largest residual as a length, without those of angles and
-    /// directions.
+    /// Largest closure error in the nearby pose: the largest residual, as a length, of an equation that is not between
+    /// angles or directions.
     fn closure_error<const N: usize>(&self, work: &mut Work<N>, near: Nearby<'_>) -> f64 {
         self.guess(work, near);
         self.evaluate_forms(work);

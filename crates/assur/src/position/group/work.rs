@@ -10,7 +10,8 @@ use crate::position::complex::Complex;
 /// Buffers for a group, made once and used for every sample.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Work<const N: usize> {
-    /// Sizes of the buffers: numbers of inputs, unknowns, equations, their forms, all forms and angle constraints.
+    /// Sizes of the buffers: the numbers of inputs, of unknowns, of equations, of forms in equations, of all forms and
+    /// of angle constraints.
     counts: [usize; 6],
     pub(in crate::position) inputs: Vec<Complex<N>>,
     pub(in crate::position) known_angles: Vec<KnownAngle<N>>,

@@ -18,8 +18,8 @@ pub(super) struct Direction {
 /// Coupler angle that best closes the loop at a position, and the remaining residual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure {
-    /// φ₁ = arg r: the coupler's angle with the least residual, φ₀ plus an angle within (−π, π]. If the gap r is zero,
-    /// every angle has the same residual, and φ₀ is taken.
+    /// φ₁ = arg r: the coupler's angle with the least residual, equal to φ₀ plus an angle within (−π, π]. If the gap r
+    /// is zero, every angle has the same residual, and φ₁ = φ₀.
     pub coupler: f64,
     /// |r| − z₁: gap less coupler, in lengths of the frame; its square is J.
     pub residual: f64,
@@ -41,8 +41,8 @@ impl Direction {
 impl Task {
     /// Input lengths z₃ > 0, ascending, that close the loop in a position with a given coupler z₁ and output z₂. They
     /// are the roots, at most two, of the quadratic |p − z₃e₃|² = z₁² with p = e₀ − z₂e₂. The roots are real if |p ×
-    /// e₃| ≤ z₁; this is the region of theorems 1 and 2 in the plane of z₁ and z₂. Empty also if the task has no such
-    /// position.
+    /// e₃| ≤ z₁; this is the region of theorems 1 and 2 in the plane of z₁ and z₂. The list is also empty if the task
+    /// has no position with the given index.
     pub fn closing_inputs(&self, position: usize, coupler: f64, output: f64) -> Vec<f64> {
         if position >= self.positions().len() {
             return Vec::new();
@@ -118,7 +118,7 @@ mod tests {
     }
 
     /// Output 3 at 90° leaves p = (1, −3). An input z₃ along the frame closes the loop if (1 − z₃)² + 9 = z₁². For z₁²
-    /// = 9.25, z₃ is 1/2 or 3/2. For z₁ = 5 it is 5 (or −3). For z₁ < 3 there is none.
+    /// = 9.25, z₃ is 1/2 or 3/2. For z₁ = 5 it is 5; the other root, −3, is negative. For z₁ < 3 there is no root.
     #[test]
     fn inputs_that_close_are_the_positive_roots_of_a_quadratic() {
         let frame = Frame {

@@ -75,7 +75,8 @@ mod tests {
         }
     }
 
-    /// Right less left is (z₁² − r²)/(2 z₂z₃) with the gap r, here 5: for a coupler of 6 it is (36 − 25)/18.
+    /// The right side less the left side is (z₁² − r²)/(2 z₂z₃) with the gap r, which is 5 here. For a coupler of 6 the
+    /// difference is (36 − 25)/18.
     #[test]
     fn the_sides_differ_by_the_gap_that_is_left() {
         for (coupler, expected) in [(6.0, 11.0 / 18.0), (4.0, -0.5), (5.0, 0.0)] {

@@ -213,7 +213,7 @@ struct Branch<'a> {
     mapping: &'a Mapping,
     linkage: FourBar,
     assembly: Assembly,
-    /// Angle of the crank less that of the input, and angle of the output less that of the rocker.
+    /// Angle of the crank less the angle of the input, and angle of the output less the angle of the rocker.
     shifts: [f64; 2],
     /// Range of the input's angle reachable from the first position; none if the linkage cannot be assembled there.
     reach: Option<[f64; 2]>,

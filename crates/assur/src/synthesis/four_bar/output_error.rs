@@ -103,8 +103,8 @@ mod tests {
             .map(f64::to_degrees)
     }
 
-    /// With the input 3 at 180° the diagonal is 4, and a coupler of 5 holds the output 3 at a right angle to it, on
-    /// either side.
+    /// With an input of 3 at 180° the diagonal is 4. A coupler of 5 holds the output of 3 at a right angle to the
+    /// diagonal, on either side.
     #[test]
     fn the_error_is_the_angle_to_the_nearer_assembly() {
         for (output, expected) in [

@@ -79,7 +79,7 @@ pub(super) fn verdict(
     })
 }
 
-/// Positions on the motions of a linkage: whether and in which order the linkage passes through them.
+/// Passage of a linkage through the positions, and the order in which it meets them.
 struct Way {
     passage: Passage,
     /// The assembly of the positions; none if coupler and output are in line at all of them.
@@ -198,7 +198,7 @@ struct Met {
     first: f64,
     /// Sum of the increments of the input from each position to the next, if the input only increases.
     up: f64,
-    /// Sum of the decrements, positive, if the input only decreases.
+    /// Sum of the magnitudes of the decrements, if the input only decreases.
     down: f64,
     /// For an oscillating driver: whether the input increases at every step, and whether it decreases at every step.
     monotone: [bool; 2],

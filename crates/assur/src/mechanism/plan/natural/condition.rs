@@ -11,8 +11,8 @@ use crate::position::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, 
 
 /// Condition between linear forms. It gives one equation or two.
 pub(in crate::mechanism) enum Condition {
-    /// Unit length of a direction. If two points define the direction, the number is their distance, which turns the
-    /// residual into a length; otherwise it is 0.
+    /// Unit length of a direction. The number is the distance of the two points that define the direction; it turns the
+    /// residual into a length. It is 0 if no two points define the direction.
     Unit(Form, f64),
     Zero(Form),
     /// Component of the vector `way` along a unit direction, prescribed by a drive; `mesh` is the index of the angle

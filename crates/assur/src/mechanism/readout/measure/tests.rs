@@ -86,7 +86,7 @@ fn laws_of_cosines() {
     }
 }
 
-/// If points meet, or a corner opens to half a turn, values are finite and equal those just after the pose.
+/// Points that meet, and a corner that opens to half a turn, have finite values, equal to those just after the pose.
 #[test]
 fn where_points_meet() {
     let l1 = LENGTHS[0];
@@ -115,7 +115,7 @@ fn where_points_meet() {
     }
 }
 
-/// Features of the diagonal: the extrema are l₄ ∓ l₁, with the crank along the frame.
+/// The extrema of the diagonal are l₄ ∓ l₁, with the crank along the frame.
 #[test]
 fn features_of_the_diagonal() {
     let [l1, _, _, l4] = LENGTHS;

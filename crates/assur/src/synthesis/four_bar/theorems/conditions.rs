@@ -58,14 +58,14 @@ pub struct Condition {
     pub number: u8,
     /// The unknown concerned, z₂ or z₃ as a function of z₁; none for (13).
     pub about: Option<Unknown>,
-    /// The two numbers whose signs are compared. (13): √(1 − (e₂·e₃)²), twice. (33) to (38): the two fractions in the
-    /// printed order, infinite if their denominator is zero. Others: P and Q.
+    /// The two numbers whose signs are compared. For (13) both are √(1 − (e₂·e₃)²). For (33) to (38) they are the two
+    /// fractions in the printed order, infinite if their denominator is zero. For all others they are P and Q.
     pub values: [f64; 2],
-    /// True if the condition holds as printed. Where the fractions of (33) to (38) divide by zero, Q is zero and counts
-    /// as either sign: the cases that require P ≥ 0 hold if P ≥ 0, the others do not hold.
+    /// True if the condition holds as printed. If the fractions of (33) to (38) divide by zero, Q is zero and counts as
+    /// positive or negative. The cases that require P ≥ 0 then hold if P ≥ 0, and the others do not hold.
     pub holds: bool,
-    /// True if the condition's intended conclusion holds. (13): z₁ determines z₂ and z₃. (29), (30): the length is
-    /// positive for some z₁ > 0. Others: it is not negative for some z₁ ≥ 0.
+    /// True if the intended conclusion of the condition holds. For (13): z₁ determines z₂ and z₃. For (29) and (30):
+    /// the length is positive for some z₁ > 0. For the others: the length is not negative for some z₁ ≥ 0.
     pub truth: bool,
 }
 
@@ -77,7 +77,7 @@ pub struct Theorem {
     /// True if its conditions hold, as printed.
     pub conditions: bool,
     /// True if its conclusion holds: lengths exist that are real (theorems 1, 2), not negative (3, 5) or positive (4).
-    /// If only `conditions` is true, the theorem is false; if only `truth` is true, it requires too much.
+    /// If only `conditions` is true, the theorem is false. If only `truth` is true, its conditions require too much.
     pub truth: bool,
 }
 

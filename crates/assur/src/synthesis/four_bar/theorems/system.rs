@@ -32,7 +32,7 @@ pub struct System {
 /// The minimum of ΣJ over z ≥ 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PositiveMinimum {
-    /// z₁, z₂, z₃; a zero is a length at its bound. If the rank is three, ΣJ then has no minimum over z > 0.
+    /// z₁, z₂, z₃. A zero is a length at its bound; if the rank is three, ΣJ then has no minimum over z > 0.
     pub z: [f64; 3],
     /// ΣJ for these lengths.
     pub value: f64,
@@ -62,8 +62,8 @@ impl System {
         })
     }
 
-    /// Rank of the matrix A augmented by the right-hand side b: that of A + bbᵀ, whose columns span the same space
-    /// because A is positive semidefinite. It always equals the rank of A, because ΣJ has a minimum.
+    /// Rank of the matrix A augmented by the right-hand side b. It is found as the rank of A + bbᵀ, whose columns span
+    /// the same space because A is positive semidefinite. It always equals the rank of A, because ΣJ has a minimum.
     pub fn augmented_rank(&self) -> usize {
         let mut matrix = self.matrix;
         for (row, left) in matrix.iter_mut().zip(self.right) {
@@ -146,7 +146,7 @@ mod tests {
         }
     }
 
-    /// Scalar products of the directions; those of one position have rank 2, so there is no single minimum.
+    /// The matrix of scalar products of one position has rank 2, so there is no single minimum.
     #[test]
     fn one_position_has_many_minima() {
         let system = System::new(&[angles([0.0, 90.0, 180.0])]).unwrap();
