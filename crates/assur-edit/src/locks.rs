@@ -19,8 +19,8 @@ const STEP: f64 = 0.05;
 /// Least length of the sides of a locked angle, relative to the size. The angle between shorter sides would be
 /// lost in rounding.
 const MIN_SIDE: f64 = 1e-3;
-/// Limit of the gradient of half the squared distance from the targets, relative to the size. Below it, distances
-/// differ only by rounding, so a step is judged by the decrease of the gradient.
+/// Limit of the gradient of half the squared distance from the targets, relative to the size. At smaller gradients
+/// these distances differ only by rounding, so a step is judged by the decrease of the gradient.
 const FINE: f64 = 1e-5;
 /// Number added to the diagonal of the normal equations, which are singular if locks are dependent. It hardly affects
 /// independent locks.
@@ -288,9 +288,9 @@ impl Held {
         Some(ways)
     }
 
-    /// The positions after the displacements `ways`, corrected by Newton's method so that the locks hold, with
-    /// the shortest corrections of the free points. None if the method does not converge steadily or needs a
-    /// large correction: it might then find another assembly.
+    /// The positions after the displacements `ways` and after Newton's method, which makes the locks hold with the
+    /// shortest corrections of the free points. None if the method does not converge steadily or needs a large
+    /// correction, because it might then find another assembly.
     fn gone(&self, at: &[Vector], ways: &[Vector], free: &[bool]) -> Option<Vec<Vector>> {
         let longest = ways.iter().map(Vector::amax).fold(0.0, f64::max);
         let mut at: Vec<Vector> = at.iter().zip(ways).map(|(at, way)| at + way).collect();
