@@ -75,8 +75,8 @@ impl LinkageDocument {
         Mechanism::assembled(&self.spec(), input).map_err(Problem::all)
     }
 
-    /// The document with the points, links, drivers and tracers of a specification, usually the linkage in another
-    /// pose. The result names no assembly.
+    /// The document with the points, links, drivers and traced points of a specification, usually the linkage in
+    /// another pose. The result names no assembly.
     pub fn redrawn(&self, draft: &LinkageSpec) -> Self {
         let drawn = Self::new(draft);
         Self {
