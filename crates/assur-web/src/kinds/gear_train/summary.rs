@@ -48,7 +48,8 @@ pub(crate) struct GearTrainSummary<'a> {
     /// Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels.
     gaps: Option<[f64; 2]>,
     axis_distance: f64,
-    /// Distances (mm) and velocities (mm/s) of points at the final speeds of the shafts; null for bevel wheels.
+    /// Distances (mm) and velocities (mm/s) of points of the first satellite, at the final speeds of the shafts; null
+    /// for bevel wheels.
     velocities: Option<VelocitySummary>,
     /// External torques on the shafts, neglecting losses, as multiples of the torque on the sun.
     #[serde(with = "ShaftNumbers")]
