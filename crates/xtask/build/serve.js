@@ -2,7 +2,7 @@
 // control it by lines of its input:
 //
 //   serve FOLDER   serve another folder from now on
-//   down, up       answer no more requests; answer them again
+//   down, up       stop answering requests; answer them again
 //
 // The first line of output is the address; then each line of input is repeated after it is carried out. The server ends
 // when its input ends, so that it does not outlive the program that started it.
