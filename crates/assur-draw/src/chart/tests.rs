@@ -9,7 +9,7 @@ fn of(link: f64) -> [f64; 2] {
     super::panel::axis(&four_bar.cycle()).map(f64::to_degrees)
 }
 
-/// The greatest angle of the crank of that four-bar, degrees, by the law of cosines.
+/// The greatest angle of the crank of a four-bar as in [`of`], degrees, by the law of cosines.
 fn reach(link: f64) -> f64 {
     ((17.0 - 4.0 * link * link) / 8.0).acos().to_degrees()
 }
