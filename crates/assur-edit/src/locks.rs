@@ -88,8 +88,9 @@ impl Drawing {
         self.document.locks = kept;
     }
 
-    /// The new positions of the points that move if some are moved to targets, and whether the targets are reached.
-    /// Points of the frame stay, unless they have targets themselves. The lock `released` is ignored.
+    /// Returns the new positions of all points that move when the points in `wanted` are moved towards their targets,
+    /// and true if the targets are reached. Points of the frame stay, unless they have targets themselves. The lock
+    /// `released` is ignored.
     pub(crate) fn held(
         &self,
         wanted: &BTreeMap<String, Vector>,
@@ -110,7 +111,7 @@ impl Drawing {
         let Ok(mut before) = before else {
             return (wanted.clone(), true);
         };
-        // Coordinates relative to a nearby point: far from the origin small differences would be lost in rounding.
+        // Coordinates are relative to a nearby point. Far from the origin, small differences would be lost in rounding.
         before.iter_mut().for_each(|place| *place -= middle.coords);
         let locks = locks.iter().filter_map(|lock| {
             let numbers: Option<Vec<usize>> = lock.iter().map(number).collect();

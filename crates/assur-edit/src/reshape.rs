@@ -201,7 +201,7 @@ impl Drawing {
         all
     }
 
-    /// Whether a point belongs to a link.
+    /// Whether a point belongs to any link.
     fn is_hinge(&self, point: &str) -> bool {
         let mut links = self.document.links.iter();
         links.any(|link| link.points.iter().any(|one| one == point))
