@@ -357,7 +357,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Lists a feature of a driver that is left out: motion by hand or, for the first driver, speed. `told` makes the
+    /// Lists the property that a driver loses: motion by hand or, for the first driver, its speed. `told` makes the
     /// entry for the speed.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
