@@ -24,7 +24,7 @@ use crate::moving::Moving;
 pub(crate) struct StructureSummary<'a> {
     bounds: [f64; 4],
     counts: CountsSummary,
-    /// Passive wheels, whose meshes repeat what other meshes do.
+    /// Passive wheels, whose meshes repeat constraints of other meshes.
     passive: Vec<&'a str>,
     /// The pairs with a redundant constraint; empty if there are passive wheels.
     redundant: Vec<String>,

@@ -171,7 +171,7 @@ pub(crate) struct HaltSummary {
     time: f64,
 }
 
-/// The greatest torque among the knots of a load.
+/// The greatest torque among the knots of a load; 0 if no torque is positive.
 pub(super) fn greatest(load: &[[f64; 2]]) -> f64 {
     load.iter().map(|[_, torque]| *torque).fold(0.0, f64::max)
 }
