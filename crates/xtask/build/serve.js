@@ -1,5 +1,5 @@
 // A server of one folder, for this machine only. `cargo xtask serve` runs it, and so do the tests of the page, which
-// control it by lines of its input:
+// control it by lines on its standard input:
 //
 //   serve FOLDER   serve another folder from now on
 //   down, up       stop answering requests; answer them again
