@@ -171,7 +171,8 @@ impl Told<'_> {
             json!({key: at, "branches": meeting.branches.map(|branch| branch + 1)})
         });
         json!({
-            // The link by whose angle assemblies, and so branches, are numbered.
+            // The link whose angle determines the numbers of assemblies. Branches with equal least inputs are in the
+            // order of these numbers.
             "output": self.mechanism.link_name(self.found.output()),
             "whole": self.found.is_whole(),
             "circuits": self.found.count(),

@@ -54,6 +54,8 @@ struct Written {
 }
 
 impl Words {
+    /// Reads the English sentences from the tables.
+    ///
     /// # Errors
     /// A table is invalid; the workspace's tests rule this out.
     pub(crate) fn english() -> Result<Self, Error> {

@@ -78,8 +78,8 @@ pub struct GivenPosition {
     pub links: Vec<([Point; 2], Role)>,
 }
 
-/// Number of a wheel, written beside its rim. If the link has no point but the wheel's centre, a plain shaft is drawn
-/// at the centre, with neither hinge nor name.
+/// Number of a wheel, written beside its rim. If the wheel's centre is the only point of its link, a plain shaft is
+/// drawn there, without hinge or name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     /// The link of the wheel.

@@ -130,7 +130,7 @@ pub struct Panel {
     pub marks: Vec<Vec<Mark>>,
     /// Values of constant curves, in the order of the series; none for other curves.
     pub levels: Vec<Option<f64>>,
-    /// Points a few pixels apart along the curves, to be kept clear of labels: x and y in turn, screen pixels.
+    /// Points a few pixels apart along the curves, which labels must not cover: x, y, x, y, …, screen pixels.
     pub points: Vec<f64>,
 }
 

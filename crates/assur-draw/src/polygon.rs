@@ -190,7 +190,7 @@ impl Drawing {
         }
     }
 
-    /// Draws a point with its name, offset in the direction `away`.
+    /// Draws a point, with its name offset from the point in the direction `away`.
     fn point(&mut self, name: String, at: Vector, away: Vector) {
         self.list
             .circle(Role::Ink, Look::Solid, at.into(), 0.7 * self.unit);

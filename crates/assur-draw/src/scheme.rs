@@ -22,7 +22,7 @@ const BAR: f64 = 0.75;
 /// Margin for names around the scheme, in symbol units.
 const ROOM: f64 = 10.0;
 
-/// Colours of the links, which are repeated if there are more links.
+/// Colours of the moving links, in order. They are repeated if there are more links than colours.
 const ROLES: [Role; 9] = [
     Role::Crank,
     Role::Coupler,

@@ -53,7 +53,7 @@ pub struct TrainView {
     pub poles: Poles,
     /// The working members: number 7 on each satellite's shaft, number 8 on the carrier.
     pub members: [Option<WorkingMember>; 2],
-    /// Whether to draw the velocities and instantaneous centre of the first satellite, except for bevel wheels.
+    /// Whether to draw the velocities and the instant centre of the first satellite. Not used for bevel wheels.
     pub velocities: bool,
 }
 
@@ -70,9 +70,9 @@ impl TrainView {
 /// A pose of a differential relative to an observer, whose own angle and speed are subtracted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainPose {
-    /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is loaded and the first
-    /// satellite is on the right, or on top if bevel. A bevel satellite's angle is not used: it follows from the angles
-    /// of sun and carrier.
+    /// Angles of the bodies in the order of [`Body::ALL`], radians. At zero angles no mesh is loaded, and the first
+    /// satellite is on the right of the main axis, in a bevel train above it. The angle of a bevel satellite is not
+    /// used, because it follows from the angles of sun and carrier.
     pub angles: [f64; 4],
     /// Speeds of the bodies in the order of [`Body::ALL`], rad/s.
     pub speeds: [f64; 4],
@@ -111,7 +111,7 @@ enum Name {
     Eighth,
     North,
     South,
-    /// The instantaneous centre of a satellite.
+    /// The instant centre of a satellite.
     Pole,
 }
 

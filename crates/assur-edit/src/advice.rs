@@ -23,7 +23,7 @@ pub struct Advice {
     pub mobility: Option<isize>,
     /// Links whose motion the drivers do not determine, or that nothing joins to the frame.
     pub loose: Vec<String>,
-    /// Links that cannot move.
+    /// Links that cannot move, or that are mobile only for an instant.
     pub locked: Vec<String>,
     /// Edits, in the order tried. Any one of them lets the drawing move, or brings it within one edit of moving.
     pub mends: Vec<Mend>,
@@ -173,7 +173,7 @@ fn tried(document: &LinkageDocument) -> Vec<Mend> {
         .iter()
         .map(|point| &point.name)
         .filter(|point| !document.frame.contains(point));
-    // Free ends of links come first: a person would rather fix these than hinges.
+    // Free ends of links come first: they are more often meant as fixed pivots than hinges are.
     let (ends, hinges): (Vec<&String>, Vec<&String>) = free.partition(|point| links(point) == 1);
     let fixes = ends
         .into_iter()

@@ -104,7 +104,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// The range of a driven slide: half the length of its line to either side of the drawn position.
+    /// The range of a driven slide: half the length of its line on either side of the drawn position. If the line has
+    /// no length, the size of the drawing replaces the length.
     fn range(&self, slide: usize) -> Result<[f64; 2], LinkageProblem> {
         let SlideDocument { point, line, .. } = &self.document.slides[slide];
         let [from, to] = [self.at(&line[0])?, self.at(&line[1])?];

@@ -94,12 +94,12 @@ pub enum End {
     On(String, [f64; 2]),
 }
 
-/// A line along which something slides.
+/// A line along which a link slides.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(rename_all = "snake_case")]
 pub enum Line {
-    /// The line through two points of this link that is nearest to the sliding point.
+    /// A line through two points of this link: the two whose segment is nearest to the sliding point.
     Link(String),
     /// A line of the frame from the sliding point towards a place.
     Toward([f64; 2]),
@@ -112,7 +112,7 @@ pub enum Line {
 pub enum Outer {
     /// A hinge.
     Hinge(End),
-    /// A slide along a line through two points of a link: the line nearest to a place.
+    /// A slide along a line through two points of a link: the two whose segment is nearest to a place.
     Slide(String, [f64; 2]),
     /// A slide along a horizontal line of the frame through a place.
     Level([f64; 2]),

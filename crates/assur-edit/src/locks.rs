@@ -19,8 +19,8 @@ const STEP: f64 = 0.05;
 /// Least length of the sides of a locked angle, relative to the size. The angle between shorter sides would be
 /// lost in rounding.
 const MIN_SIDE: f64 = 1e-3;
-/// Limit of the gradient of half the squared distance from the targets, relative to the size. Below it, distances
-/// differ only by rounding, so a step is judged by the decrease of the gradient.
+/// Limit of the gradient of half the squared distance from the targets, relative to the size. At smaller gradients
+/// these distances differ only by rounding, so a step is judged by the decrease of the gradient.
 const FINE: f64 = 1e-5;
 /// Number added to the diagonal of the normal equations, which are singular if locks are dependent. It hardly affects
 /// independent locks.
@@ -88,8 +88,9 @@ impl Drawing {
         self.document.locks = kept;
     }
 
-    /// The new positions of the points that move if some are moved to targets, and whether the targets are reached.
-    /// Points of the frame stay, unless they have targets themselves. The lock `released` is ignored.
+    /// Returns the new positions of all points that move when the points in `wanted` are moved towards their targets,
+    /// and true if the targets are reached. Points of the frame stay, unless they have targets themselves. The lock
+    /// `released` is ignored.
     pub(crate) fn held(
         &self,
         wanted: &BTreeMap<String, Vector>,
@@ -110,7 +111,7 @@ impl Drawing {
         let Ok(mut before) = before else {
             return (wanted.clone(), true);
         };
-        // Coordinates relative to a nearby point: far from the origin small differences would be lost in rounding.
+        // Coordinates are relative to a nearby point. Far from the origin, small differences would be lost in rounding.
         before.iter_mut().for_each(|place| *place -= middle.coords);
         let locks = locks.iter().filter_map(|lock| {
             let numbers: Option<Vec<usize>> = lock.iter().map(number).collect();
@@ -288,9 +289,9 @@ impl Held {
         Some(ways)
     }
 
-    /// The positions after the displacements `ways`, corrected by Newton's method so that the locks hold, with
-    /// the shortest corrections of the free points. None if the method does not converge steadily or needs a
-    /// large correction: it might then find another assembly.
+    /// The positions after the displacements `ways` and after Newton's method, which makes the locks hold with the
+    /// shortest corrections of the free points. None if the method does not converge steadily or needs a large
+    /// correction, because it might then find another assembly.
     fn gone(&self, at: &[Vector], ways: &[Vector], free: &[bool]) -> Option<Vec<Vector>> {
         let longest = ways.iter().map(Vector::amax).fold(0.0, f64::max);
         let mut at: Vec<Vector> = at.iter().zip(ways).map(|(at, way)| at + way).collect();

@@ -24,7 +24,7 @@ pub(crate) fn new_tracer(document: &LinkageDocument) -> String {
     numbered(1, |name| !is_point(document, name), |k| format!("P{k}"))
 }
 
-/// Whether a point or a tracer has the name.
+/// Whether a point or a traced point has the name.
 pub(crate) fn is_point(document: &LinkageDocument, name: &str) -> bool {
     document.points.iter().any(|point| point.name == name)
         || document.tracers.iter().any(|tracer| tracer.name == name)
@@ -53,7 +53,7 @@ pub(crate) fn new_link(
     )
 }
 
-/// A point's name as given, or a new one if that is taken.
+/// A free name for a point: the given name or, if it is taken, a new one.
 pub(crate) fn free_point(document: &LinkageDocument, name: &str) -> String {
     if !is_point(document, name) {
         return name.to_owned();
@@ -133,7 +133,7 @@ pub(crate) fn rename_link(document: &mut LinkageDocument, from: &str, to: &str) 
     rename_plots(document, from, to, &["angle"]);
 }
 
-/// Renames a point or a tracer wherever its name occurs.
+/// Renames a point or a traced point wherever its name occurs.
 pub(crate) fn rename_point(document: &mut LinkageDocument, from: &str, to: &str) {
     let put = |name: &mut String| {
         if name == from {
@@ -173,7 +173,7 @@ fn rename_plots(document: &mut LinkageDocument, from: &str, to: &str, quantities
     }
 }
 
-/// Renames a point, a tracer or a link.
+/// Renames a point, a traced point or a link.
 ///
 /// # Errors
 /// An unknown name; a name that is taken.

@@ -11,8 +11,8 @@ use crate::names;
 type Done = Result<(), LinkageProblem>;
 
 impl Drawing {
-    /// Removes points and links. A link of two points is removed with either point, a block with its
-    /// hinge, and a point with its last link.
+    /// Removes points and links, with the parts that depend on them. A link that loses points is removed if fewer than
+    /// two remain. A point is removed with its last link or slide.
     pub(crate) fn remove(&mut self, points: &[String], links: &[String]) -> Done {
         let mut unknown_names = points
             .iter()

@@ -1,4 +1,4 @@
-//! New positions of points: moved, placed, reflected.
+//! New positions of points: moved, placed, rotated, reflected.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -117,7 +117,7 @@ impl Drawing {
         let mut moved = BTreeMap::new();
         for point in self.linked(link)?.points.clone() {
             if point == first {
-                // The centre of rotation has a target, too, and so does not follow points locked to it.
+                // The centre of rotation also has a target, so that it does not follow points locked to it.
                 moved.insert(point, from.coords);
                 continue;
             }
@@ -180,8 +180,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// The given points, and the ends of the frame lines along which they slide. Ends that belong to a link are left
-    /// out, and both ends of a line if the line of another slide uses one of them.
+    /// The given points, and the ends of the frame lines along which they slide. An end that belongs to a link is left
+    /// out. Both ends of a line are left out if the line of another slide contains one of them.
     fn with_guides(&self, points: &[String]) -> BTreeSet<String> {
         let mut all: BTreeSet<String> = points.iter().cloned().collect();
         let slides = &self.document.slides;
@@ -201,7 +201,7 @@ impl Drawing {
         all
     }
 
-    /// Whether a point belongs to a link.
+    /// Whether a point belongs to any link.
     fn is_hinge(&self, point: &str) -> bool {
         let mut links = self.document.links.iter();
         links.any(|link| link.points.iter().any(|one| one == point))

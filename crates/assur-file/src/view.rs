@@ -80,8 +80,8 @@ pub struct View {
     /// Whether the inflection circle of `about` is shown, and the circles of curvature and evolutes of traced paths.
     #[serde(default)]
     pub curvature: bool,
-    /// The link whose instant centre, centrodes and inflection circle are shown; if empty, the first link not joined to
-    /// the frame.
+    /// The link whose instant centre, centrodes and inflection circle are shown. If empty, the first link with two or
+    /// more points that is not joined to the frame; if there is none, the last link.
     #[serde(default)]
     pub about: String,
     /// The reference link of the instant centre of `about`; if empty, the frame.

@@ -1,6 +1,6 @@
 //! Import of mechanisms from other programs: URLs of PMKS+ in both of its forms, URLs of its predecessor PMKS, and
 //! files of the program Linkage (`.linkage2`). Parts that could not be imported unchanged are listed ([`LeftOut`]);
-//! docs/file-format.md lists what is imported.
+//! docs/file-format.md lists the features that can be imported.
 //!
 //! An imported linkage may be unable to move: [`LinkageDocument::mechanism`] checks that.
 

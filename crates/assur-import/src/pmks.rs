@@ -8,7 +8,7 @@ mod short;
 
 use crate::{ImportProblem, Imported};
 
-/// Whether the query of a URL has one of these three forms.
+/// Whether the query of a URL has a form of PMKS+ or of its predecessor, PMKS.
 pub(crate) fn begins(query: &str) -> bool {
     readable::begins(query) || short::begins(query) || original::begins(query)
 }

@@ -56,7 +56,7 @@ pub(crate) struct Gear {
     pub(crate) mesh: MeshDocument,
 }
 
-/// A driver, with its speed in radians or lengths per second.
+/// A driver, with its speed: radians per second for a crank, units of length per second for a slide.
 #[derive(Clone, Debug)]
 pub(crate) struct Driver {
     pub(crate) moves: Moves,
@@ -210,7 +210,8 @@ impl Sketch {
             .collect()
     }
 
-    /// Finds the first bar that the frame holds: at two points, or at one point and by a slide.
+    /// Finds the first bar that the frame holds: at two points, or at one point and by a slide. Wheels are not
+    /// considered.
     fn held(&self, into: &[Body]) -> Option<usize> {
         let mut slid = vec![false; self.bars.len()];
         for slide in &self.slides {

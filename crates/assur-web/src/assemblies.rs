@@ -22,8 +22,8 @@ pub(crate) struct AssembliesHere {
     /// Index of the assembly in which the document moves; none if the document has no pose at this input, or if this
     /// assembly was not found.
     pub(crate) shown: Option<usize>,
-    /// Number of all solutions, real or complex, of the Assur group that was solved over the complex numbers; none
-    /// unless exactly one such group was solved, and only once.
+    /// Number of all solutions, real and complex, of the Assur group that was solved over the complex numbers. It is
+    /// given only if exactly one such group was solved, and only once.
     complex: Option<usize>,
     /// Whether all assemblies were found.
     whole: bool,

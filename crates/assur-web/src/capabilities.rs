@@ -136,7 +136,7 @@ pub(crate) trait Moves {
     /// The reason why there is no pose at an input, or why derivatives are unbounded; none otherwise.
     fn why(&self, input: f64) -> Option<Problem>;
 
-    /// What the read-outs of [`Here`] are of.
+    /// The subjects of the read-outs in [`Here`], in the same order.
     fn readouts(&self) -> Vec<ReadoutId>;
 
     /// Moves the input by a step. Where the motion turns back, the input turns back, too. Returns the new input, and −1

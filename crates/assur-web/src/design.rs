@@ -24,7 +24,8 @@ pub(crate) struct Wishes {
     movable: Vec<Movement>,
 }
 
-/// A dimension that may change, named by its field. `by` is its greatest change either way, as a fraction of its value.
+/// A dimension that may change, named by its field. `by` is the greatest increase and decrease, as a fraction of its
+/// value.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct Movement {

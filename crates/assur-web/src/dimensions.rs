@@ -7,9 +7,9 @@ use serde::Serialize;
 
 use crate::moving::Moving;
 
-/// A dimension: its field in the document, its points, its value and its range. `index` is that of its link, slide or
-/// point, from 0; `name` is that of its link or point. A corner is in degrees, and its vertex is the second point. The
-/// points of an offset are the sliding point and two points of its line.
+/// A dimension: its field in the document, its points, its value and its range. `index` is the index of the link, slide
+/// or point, from 0; `name` is the name of the link or point. A corner is in degrees, and its vertex is the second
+/// point. The points of an offset are the sliding point and two points of its line.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct DimensionSummary<'a> {

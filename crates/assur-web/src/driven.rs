@@ -12,7 +12,7 @@ use assur_file::LinkageDocument;
 pub(crate) enum Driven {
     /// The end of a crank that turns about its pivot.
     Crank { pivot: PointId, end: PointId },
-    /// A point that slides on a line, which is directed from its first point to its second.
+    /// A point that slides on a line. The line is directed from its first point to its second.
     Slide { line: [PointId; 2], end: PointId },
 }
 

@@ -33,7 +33,7 @@ impl Handle {
     }
 }
 
-/// Colour role of the first moving link that lists the point, else "ink".
+/// Colour role of the first link that lists the point; "ink" if no link does.
 fn role(mechanism: &Mechanism, figure: &Figure, point: PointId) -> &'static str {
     let mut links = mechanism.link_ids();
     let link = links.find(|link| mechanism.points_of(*link).contains(&point));

@@ -28,7 +28,7 @@ pub(crate) struct Here {
     pub(crate) plotted: Vec<f64>,
 }
 
-/// What a value of [`Here`] is of: a quantity, as in `rocker.angle`, or a derivative of it.
+/// Subject of a read-out in [`Here`]: a quantity, such as `rocker.angle`, or one of its derivatives.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct ReadoutId {

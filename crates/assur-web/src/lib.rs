@@ -9,7 +9,7 @@
 //! | `design.rs` | the search for a dwell |
 //! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | checked input from outside; starting documents; files of other programs; JavaScript values; a canvas as a backend of plotters |
 
-// There are no unit tests for wasm.
+// Unit tests are compiled for native targets only.
 #![cfg(not(all(test, target_family = "wasm")))]
 
 mod assemblies;

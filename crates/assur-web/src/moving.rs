@@ -300,7 +300,7 @@ impl Moving {
     /// # Errors
     /// The reason why there is no pose, or why derivatives are unbounded.
     pub(crate) fn equations(&self, input: f64, order: usize) -> Result<Vec<f64>, Problem> {
-        // Order 0 needs no derivatives, and so works at a dead point.
+        // Order 0 needs no derivatives, so it is also possible at a dead point.
         if order == 0 {
             return Ok(sides(self.mechanism(), &self.pose(input)?, 0));
         }

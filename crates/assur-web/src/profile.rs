@@ -46,7 +46,6 @@ pub(crate) fn band(mechanism: &Mechanism, quantity: Quantity, width: Option<f64>
         let width = width.unwrap_or(BAND);
         (width, width.to_radians())
     } else {
-        // The default is a power of ten, as a person would choose.
         let usual = 10_f64.powi((FINE * mechanism.size()).log10().floor() as i32);
         let width = width.unwrap_or(usual);
         (width, width)

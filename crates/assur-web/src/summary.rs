@@ -24,7 +24,7 @@ use crate::moving::Moving;
 pub(crate) struct StructureSummary<'a> {
     bounds: [f64; 4],
     counts: CountsSummary,
-    /// Passive wheels, whose meshes repeat what other meshes do.
+    /// Passive wheels, whose meshes repeat constraints of other meshes.
     passive: Vec<&'a str>,
     /// The pairs with a redundant constraint; empty if there are passive wheels.
     redundant: Vec<String>,
@@ -90,7 +90,7 @@ pub(crate) struct CountsSummary {
     by_count: isize,
 }
 
-/// Counts of a drawing, of which the rank is not known.
+/// Converts the counts of a drawing. The rank of its constraints is not known, so both mobilities are by count.
 impl From<Counts> for CountsSummary {
     fn from(counts: Counts) -> Self {
         Self {
@@ -103,7 +103,7 @@ impl From<Counts> for CountsSummary {
     }
 }
 
-/// Range of the input, and its arcs. `full`: a crank turns fully, or time goes on without end.
+/// Range of the input, and its arcs. `full` states whether a crank turns fully or, for a gear train, time has no end.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct CycleSummary {

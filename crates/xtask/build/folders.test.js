@@ -11,7 +11,7 @@ const RUSSIAN = path.join(ROOT, "lang/ru.json");
 
 /**
  * @param {import("node:test").TestContext} test
- * @returns {string} a copy of `www` without other parts than lessons and kinds
+ * @returns {string} a folder with copies of the lessons and kinds of `www`
  */
 function copy(test) {
   const folder = temporary(test);
@@ -24,7 +24,7 @@ test("a folder more is a lesson more", (context) => {
   const before = lessons(list(www));
   assert.deepEqual(before.map(({ id }) => id), ["mixer", "class4-dwell", "synthesis", "mobility", "differential", "assemblies"]);
   cpSync(FIXTURE, path.join(www, "lessons/fixture"), { recursive: true });
-  // Without a place it comes last.
+  // The lesson has no `place`, so it comes last.
   assert.deepEqual(lessons(list(www)), [...before, { id: "fixture", about: ["chebyshev"], presets: true, paper: false, notes: false }]);
   const text = lists(list(www)).get("assur/lessons/index.js") ?? "";
   assert.ok(text.includes('"fixture": () => import("assur/lessons/fixture/lesson.js")'), text);

@@ -81,6 +81,6 @@ test("what becomes smaller is packed beside itself", async () => {
   assert.deepEqual(more.sort(), ["a.js.br", "a.js.gz", "files/c.js.br", "files/c.js.gz"]);
   assert.equal(String(brotliDecompressSync(files.get("a.js.br") ?? "")), long);
   assert.equal(String(gunzipSync(files.get("files/c.js.gz") ?? "")), long);
-  // Only a name with a hash says that it is the same file.
+  // An earlier copy is reused only if the name contains a hash, because only then is the content known to be the same.
   assert.equal(files.get("files/c.js.br"), earlier);
 });

@@ -61,7 +61,7 @@ test("a place that is missing, or there twice, is a sentence", () => {
   assert.throws(() => new Page("<p>", "host").setMeta('name="build"', "1"), /index\.html has no meta\[name="build"\]/);
 });
 
-/** However it is indented and quoted, it is the same page. */
+/** Indentation and quotes of the source have no effect on the built page. */
 test("the page of the repository survives reformatting", () => {
   const page = readFileSync(path.join(ROOT, "www/index.html"), "utf8");
   const reformatted = page
@@ -75,7 +75,7 @@ test("the page of the repository survives reformatting", () => {
     host.setLinks((name) => `files/${name}`);
     host.setMeta('http-equiv="Content-Security-Policy"', "policy");
     host.setMeta('name="build"', "build");
-    // Free space and quotes within tags are all that may differ.
+    // Only white space, and quotes within tags, may differ.
     return host.text().replaceAll("'", '"').replaceAll(/\s+/g, " ").replaceAll(/ ?> ?/g, ">").replaceAll('"importmap"', "importmap");
   });
   assert.equal(outputs[1], outputs[0]);

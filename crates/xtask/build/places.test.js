@@ -1,4 +1,4 @@
-// Places in the code that documents name: each of them is there.
+// Tests that every module, function and file that a document names exists in the code.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import path from "node:path";

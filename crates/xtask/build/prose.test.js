@@ -1,11 +1,11 @@
-// Phrases that have to be read twice, counted by module: their number only goes down.
+// Tests that the number of phrases that have to be read twice does not grow in any module.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { ROOT } from "./temporary.js";
 
-/** The phrases: a noun of the trade (offset, residual, bound, index) says it in one reading. */
+/** The phrases. A technical noun (offset, residual, bound, index) says the same in one reading. */
 const PHRASES = /\b(told by|tells? (of|the|its|how|what)|is told|are told|so (many|much) of|hangs? on|by how much|has more than|no more than)\b/g;
 
 const TABLE = path.join(ROOT, "tests/data/prose.json");
@@ -30,7 +30,7 @@ test("phrases that have to be read twice become fewer", () => {
 
 /**
  * @param {string} folder
- * @returns {string[]} the paths of the sources in it, but for this file
+ * @returns {string[]} paths of the source files in the folder and its subfolders, except this file
  */
 function sources(folder) {
   return readdirSync(path.join(ROOT, folder), { withFileTypes: true }).flatMap((entry) => {

@@ -44,7 +44,7 @@ test("the first view is one chunk, each part that is loaded later another", asyn
   for (const name of ["late.js", "later.js", "lessons/one/lesson.js", "kinds/second/kind.js"]) {
     assert.match(main, new RegExp(`import\\([\`"']assur/${name}[\`"']\\)`));
   }
-  // The engine's module is one for the page and for who imports it by its name, all that it exports with it.
+  // The engine is a separate module with all its exports. The page imports it by its bare name, as other pages may.
   assert.doesNotMatch(main, /ROLE/);
   assert.match(main, /from"assur\/pkg\/assur_web\.js"/);
   const { default: init, role } = await import(`data:text/javascript,${encodeURIComponent(scripts.get("pkg/assur_web.js") ?? "")}`);
@@ -55,7 +55,7 @@ test("chunks import each other by bare names", async (context) => {
   const scripts = await bundled(context);
   for (const [name, script] of scripts) assert.doesNotMatch(script, /(from|import\(?)\s*["'`]\.{1,2}\//, name);
   assert.match(scripts.get("late.js") ?? "", /from"assur\/app\/main\.js"/);
-  // A worker, in which no import map holds, has all that it imports.
+  // Import maps do not apply in workers, so the script of a worker contains everything that it imports.
   assert.doesNotMatch(scripts.get("worker.js") ?? "", /\bimport\b/);
   assert.match(scripts.get("worker.js") ?? "", /ROLE/);
 });

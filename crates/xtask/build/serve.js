@@ -1,8 +1,8 @@
 // A server of one folder, for this machine only. `cargo xtask serve` runs it, and so do the tests of the page, which
-// control it by lines of its input:
+// control it by lines on its standard input:
 //
 //   serve FOLDER   serve another folder from now on
-//   down, up       answer no more requests; answer them again
+//   down, up       stop answering requests; answer them again
 //
 // The first line of output is the address; then each line of input is repeated after it is carried out. The server ends
 // when its input ends, so that it does not outlive the program that started it.

@@ -39,9 +39,9 @@ async function started(context, options = [], more = {}) {
 
 /**
  * @param {string} url
- * @param {string} request its first line up to the version
- * @param {string} [more] lines of its head
- * @returns {Promise<string>} the answer, byte by byte: `fetch` would put an address in order first
+ * @param {string} request request line without the HTTP version
+ * @param {string} [more] further header lines
+ * @returns {Promise<string>} the raw answer. `fetch` is not used, because it would normalise the address
  */
 async function ask(url, request, more = "") {
   const socket = connect(Number(new URL(url).port), "127.0.0.1");
@@ -80,7 +80,7 @@ test("nothing leads out of the folder", async (context) => {
   }
 });
 
-/** A browser opens connections ahead of need and uses some of them only later. */
+/** Browsers open connections in advance and leave some of them idle. */
 test("idle connections keep no one waiting", async (context) => {
   const { url } = await started(context);
   const idle = Array.from({ length: 20 }, () => connect(Number(new URL(url).port), "127.0.0.1"));

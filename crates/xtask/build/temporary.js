@@ -1,4 +1,4 @@
-// A folder for one test.
+// A temporary folder for one test, and the root of the repository.
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -10,7 +10,7 @@ export const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
 
 /**
  * @param {import("node:test").TestContext} test test after which the folder is removed
- * @param {Record<string, string>} [files] by their paths in it
+ * @param {Record<string, string>} [files] contents of files by their paths in the folder
  * @returns {string} the folder
  */
 export function temporary(test, files = {}) {

@@ -1,5 +1,5 @@
-//! The built page in `target/site`: the release build of the wasm side, and what the scripts in `build` make from
-//! `www/` and `lang/`.
+//! The built page in `target/site`: the release build of the wasm side, and the files that the scripts in `build` make
+//! from `www/` and `lang/`.
 
 use std::path::{Path, PathBuf};
 

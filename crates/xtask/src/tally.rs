@@ -100,7 +100,7 @@ fn run_tests(command: Cmd, count: &mut [u32; 2], mut out: impl Write) -> Result<
     let output = child.stdout.take().context("no output")?;
     for line in BufReader::new(output).split(b'\n').map_while(Result::ok) {
         let line = String::from_utf8_lossy(&line);
-        // A closed terminal is no reason to stop counting.
+        // Counting goes on even if the output cannot be written, as to a closed terminal.
         let _ = writeln!(out, "{line}");
         for (sum, more) in count.iter_mut().zip(counted(&line)) {
             *sum += more;

@@ -84,7 +84,7 @@ fn member_name(member: Member) -> &'static str {
     }
 }
 
-/// Returns a sentence that says what is wrong with a number.
+/// Explains in a sentence the fault of a number.
 fn number(name: &str, fault: Fault) -> String {
     match fault {
         Fault::NotPositive { value } => format!("{name} must be greater than zero, not {value}"),

@@ -210,7 +210,7 @@ fn described(moved: &Moved, output: LinkId) -> Value {
         // Number of turns after which the motion repeats; null if the driver turns back.
         "turns": turns,
         "dead_points": ends(DeadPointKind::is_dead_point),
-        // Inputs beyond which the motion goes on but was not followed.
+        // Inputs at which the motion continues, but was not followed further.
         "followed_to": ends(unfollowed),
         "change_points": change_points.collect::<Vec<_>>(),
     });

@@ -33,8 +33,9 @@ impl Panel {
     }
 }
 
-/// Returns the range of the input axis. For an oscillating crank this is the range of the crank with some space on both
-/// sides, if that is appreciably shorter than the cycle's full axis but not tiny. Otherwise it is the full axis.
+/// Returns the range of the input axis. For an oscillating crank this is the range of the crank with a margin on both
+/// sides, if its share of the cycle's full axis is between [`LEAST_OF_A_TURN`] and [`MOST_OF_A_TURN`]. Otherwise it is
+/// the full axis.
 pub(super) fn axis(cycle: &Cycle) -> [f64; 2] {
     let whole = cycle.axis();
     let (Some(_), false, [[from, _], .., [_, to]] | [[from, to]]) =

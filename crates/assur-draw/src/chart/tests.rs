@@ -2,14 +2,14 @@ use assur::FourBar;
 
 use super::*;
 
-/// The axis, in degrees, of a four-bar with coupler and output link of this length. Its crank swings about 0, up to
-/// where the two are in line.
+/// The input axis, in degrees, of a four-bar whose coupler and output link both have this length. The crank swings
+/// about 0. At both ends of its swing, coupler and output link are in line.
 fn of(link: f64) -> [f64; 2] {
     let four_bar = FourBar::new([1.0, link, link, 4.0]).unwrap();
     super::panel::axis(&four_bar.cycle()).map(f64::to_degrees)
 }
 
-/// The greatest angle of the crank of that four-bar, degrees, by the law of cosines.
+/// The greatest angle of the crank of a four-bar as in [`of`], degrees, by the law of cosines.
 fn reach(link: f64) -> f64 {
     ((17.0 - 4.0 * link * link) / 8.0).acos().to_degrees()
 }

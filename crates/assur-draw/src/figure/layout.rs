@@ -8,7 +8,8 @@ use super::{View, roles};
 use crate::list::Role;
 use crate::parts;
 
-/// Half-angle of the sector beyond a link's end, radians. A name fits there if no other point of the link is in it.
+/// Half-angle of the sector beyond a link's end, radians. A name fits into the sector if no other point of the link
+/// lies in it.
 const BEYOND: f64 = 0.9;
 
 /// Pose-independent features of the drawing. Bodies are the frame and the links that are not fixed to another body.

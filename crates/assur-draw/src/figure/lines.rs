@@ -29,7 +29,8 @@ pub struct Lines {
     pub centrodes: bool,
     /// Whether to draw the inflection circle of `link`, and the circles of curvature and evolutes of traced paths.
     pub curvature: bool,
-    /// The link whose centre, centrodes and inflection circle are drawn; by default the first not joined to the frame.
+    /// The link whose instant centre, centrodes and inflection circle are drawn. By default, the first link with two or
+    /// more points that is not joined to the frame; if there is none, the last link.
     pub link: Option<LinkId>,
     /// Reference link of the instant centre; by default the frame.
     pub against: LinkOrFrame,
@@ -143,8 +144,8 @@ impl Drawn {
         parts.filter(move |part| part.len() > 1 && is_near(&part[0]))
     }
 
-    /// Draws what changes with the pose. Circles need a pose with three derivatives; without derivatives, as at a dead
-    /// point, centres follow from positions alone.
+    /// Draws the lines that change with the pose. Circles of curvature need a pose with three derivatives. If the pose
+    /// has no derivatives, as at a dead point, only instant centres that follow from positions are drawn.
     pub(super) fn draw<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         if self.lines.centres {
             self.centres(list, posed, unit);
@@ -305,7 +306,8 @@ fn all<const N: usize>(Posed { mechanism, pose }: Posed<'_, N>) -> Vec<InstantCe
     }
 }
 
-/// Finds the first link that is not joined to the frame, which is a coupler; if there is none, the last link.
+/// Finds a coupler: the first link with two or more points that is not joined to the frame. If there is none, finds the
+/// last link.
 fn floating(mechanism: &Mechanism) -> Option<LinkId> {
     let joined: Vec<BodyId> = mechanism
         .joints()

@@ -242,7 +242,7 @@ impl InputArc {
         list.polyline(Role::Secondary, Look::Thin, &base);
         list.polyline(self.role, Look::Thin, &points);
         parts::head(list, self.role, at(neck), at(1.0));
-        // Between the legs of a small angle the name would cover them, so the name is moved beyond the first leg.
+        // The name of a small angle would cover the legs of the angle, so it is moved beyond the first leg.
         let beside = BELOW * (1.0 - turn.abs() / SMALL).max(0.0);
         let middle = along(from + 0.5 * turn - beside.copysign(turn));
         let off = [3.1 * middle.x, 1.1 * middle.y];

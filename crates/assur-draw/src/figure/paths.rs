@@ -9,8 +9,9 @@ use assur::{Point, Vector};
 use super::layout::Layout;
 use crate::list::{List, Look, Role};
 
-/// Number of points on a path per turn of the link that carries the point. The path deviates from its chords by less
-/// than 1/30 of a pixel if its second derivative with respect to the link's angle is at most 1000 pixels.
+/// Number of poses per turn of a crank that turns fully; also number of points on an arc per turn of the link that
+/// carries the point. A path deviates from its chords by less than 1/30 of a pixel if its second derivative with
+/// respect to the angle is at most 1000 pixels.
 const TURN: usize = 432;
 /// Number of poses of an oscillating motion: per turn of the crank, or per arc that is shorter than a turn.
 const SWING: usize = 360;
@@ -26,7 +27,8 @@ const COARSEST_TURN: usize = 60;
 /// Rotation from which a link counts as turning fully. It is less than a turn, because the first and the last pose may
 /// be missing.
 const ALL_ROUND: f64 = TAU * (1.0 - 3.0 / TURN as f64);
-/// Relative inset of samples from the ends of an arc, where points may coincide and angles be mere rounding error.
+/// Inset of samples from the ends of an arc, relative to the arc. At the ends, points may coincide, and angles may be
+/// rounding errors.
 pub(super) const OFF: f64 = 1e-9;
 /// Number of Newton steps towards the input at which a link turns back; each step doubles the number of correct digits.
 const STEPS: usize = 4;

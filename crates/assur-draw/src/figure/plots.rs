@@ -146,7 +146,7 @@ impl Figure {
         }
     }
 
-    /// Returns, for each dead point, how the distance of a pose from it is measured.
+    /// Returns the measure of the distance from each dead point.
     fn ends(&self) -> Vec<Clear> {
         let (motion, mechanism) = (&self.motion, self.motion.mechanism());
         let ends = motion.dead_points().iter();

@@ -47,7 +47,7 @@ struct Drawn {
     shaft: bool,
 }
 
-/// A wheel that belongs to no link and meshes with two wheels of links.
+/// A wheel that belongs to no link and meshes with the wheels of two links.
 #[derive(Clone, Debug)]
 struct Idler {
     carrier: LinkOrFrame,

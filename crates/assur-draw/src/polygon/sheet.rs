@@ -199,7 +199,7 @@ mod tests {
         assert!(sizes[sizes.len() / 2] > 0.1 * (right - left));
     }
 
-    /// A mechanism at rest also has a sheet.
+    /// A motion without polygons, or with polygons of size zero, also has a sheet.
     #[test]
     fn nothing_has_a_sheet() {
         for found in [Vec::new(), vec![[0.0; 4]]] {

@@ -1,4 +1,5 @@
-//! Opening of a chain at cut pairs: the other pairs move slightly, within their freedoms, until the halves separate.
+//! Opening of a chain at cut pairs: the other pairs move slightly, within their freedoms, until the two halves of each
+//! cut pair separate.
 
 use std::collections::VecDeque;
 
@@ -51,6 +52,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Returns the displacements of all links. The last cut is open by the share `last`; all other cuts are fully open.
+    /// Links that are no longer connected to the ground move down.
     pub(super) fn opened(&self, last: f64) -> Vec<Displacement> {
         let pairs = self.scheme.pairs();
         let (reached, order) = self.reach();
@@ -81,7 +83,7 @@ impl<'a> Chain<'a> {
             return;
         };
         let [off, on] = [cut.link, kept].map(|link| way_to(link, reached));
-        // A pair that both paths share moves both halves alike, and so is left out.
+        // A pair on both paths would move both halves alike, so it stays at rest.
         let both = |pair: &usize| !(off.contains(pair) && on.contains(pair));
         let at = self.places[cut.pair];
         let around: Vec<Point3> = off

@@ -10,7 +10,7 @@ use crate::parts;
 const OFFSET: f64 = 0.15;
 
 /// Returns the positions of pairs. A pair without a given position is placed beside the other pairs
-/// of its links; if no position is given, all pairs are placed in turn on a circle.
+/// of its links; if no position is given, the pairs are spaced evenly on a circle.
 pub(super) fn placed(scheme: &Scheme) -> Vec<Point3> {
     let pairs = scheme.pairs();
     let known = || pairs.iter().filter_map(|pair| pair.place);

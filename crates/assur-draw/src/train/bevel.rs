@@ -69,7 +69,7 @@ pub(super) struct Bevel {
 /// Radial and tangential directions at an angle about the main axis.
 fn turning(angle: f64) -> [Vector3; 2] {
     let (sin, cos) = angle.sin_cos();
-    // The viewer looks in the direction of y.
+    // At angle 0 the radial direction is upwards (z); with increasing angle it turns towards the viewer (−y).
     [Vector3::new(0.0, -sin, cos), Vector3::new(0.0, -cos, -sin)]
 }
 

@@ -302,7 +302,7 @@ impl Planar {
         }
     }
 
-    /// Draws what changes during the motion: the forces on the satellites, and the velocities of the first satellite.
+    /// Draws the arrows that change during the motion: forces on the satellites, and velocities of the first satellite.
     pub(super) fn draw_moving(&self, list: &mut List, pose: &TrainPose) {
         list.body(CARRIER);
         if let Some(torques) = pose.torques {

@@ -1,5 +1,5 @@
-//! The velocity triangle of a satellite, on the line from the main axis through the satellite. The tips of the velocity
-//! arrows are on a second straight line. The two lines meet at the instantaneous centre.
+//! The velocity triangle of a satellite. The arrows of velocity begin on the line from the main axis through the
+//! satellite. Their tips are on a second straight line. The two lines meet at the instant centre.
 
 use assur::Point;
 use assur::gears::train::Velocities;

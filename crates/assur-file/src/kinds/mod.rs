@@ -77,10 +77,10 @@ pub struct Moved {
 }
 
 impl Moved {
-    /// A linkage in motion, with the quantities plotted for a choice on the page.
+    /// Makes a linkage in motion, with the quantities selected by the view's field `plot`.
     ///
     /// # Errors
-    /// Problems that prevent the motion; an unknown choice.
+    /// Problems that prevent the motion; an unknown name in `plot`.
     pub fn new(document: LinkageDocument, plot: &str) -> Result<Self, Vec<Problem>> {
         let motion = document.motion()?;
         Self::over(document, motion, plot)
@@ -160,10 +160,10 @@ kinds! {
 }
 
 impl Document {
-    /// The motion of the document, with the quantities plotted for a choice on the page.
+    /// The motion of the document, with the quantities selected by the view's field `plot`.
     ///
     /// # Errors
-    /// The problems that prevent the motion; an unknown choice.
+    /// The problems that prevent the motion; an unknown name in `plot`.
     pub fn moved(&self, plot: &str) -> Result<Moved, Vec<Problem>> {
         Moved::over(self.linkage()?, self.motion()?, plot)
     }

@@ -37,7 +37,7 @@ pub struct SchemeDocument {
     pub ground: String,
     /// The pairs, which also name the links.
     pub pairs: Vec<PairDocument>,
-    /// Points of links that are not pairs, such as the end of an arm.
+    /// Further points of links at which there is no pair, such as the end of an arm.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(as = "Option<Vec<EndDocument>>", optional))]
     pub ends: Vec<EndDocument>,
@@ -126,7 +126,7 @@ impl TryFrom<Vec<f64>> for PlaceDocument {
     }
 }
 
-/// A point of a link that is not a pair.
+/// A point of a link at which there is no pair, such as the end of an arm.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]

@@ -166,7 +166,7 @@ fn the_first_version_is_read() {
             other => panic!("{other:?}"),
         }
     }
-    // A linkage of the catalogue was known by its title.
+    // In the first version, only the title identifies a linkage of the catalogue.
     let mut document = crate::from_catalogue("class4-dwell").unwrap().unwrap();
     document.origin = None;
     let mut linkage = state();

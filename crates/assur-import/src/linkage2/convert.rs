@@ -92,7 +92,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Adds a bar for each wheel, and for each link with two or more joints that is not an actuator.
+    /// Adds a bar for each wheel, and for each link with two or more joints, except actuators with two joints.
     fn links(&mut self) {
         for (k, link) in self.parts.links.iter().enumerate() {
             let joints: Vec<usize> = link
@@ -357,7 +357,7 @@ impl Conversion<'_> {
         }
     }
 
-    /// Lists what is left out of a driver: its motion by hand or, for the first driver, its speed. `told` makes the
+    /// Lists the property that a driver loses: motion by hand or, for the first driver, its speed. `told` makes the
     /// entry for the speed.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();

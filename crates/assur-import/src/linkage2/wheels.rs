@@ -10,7 +10,7 @@ use crate::sketch::{Body, Gear};
 /// Permitted numbers of teeth (docs/file-format.md).
 const TEETH: std::ops::RangeInclusive<u32> = 3..=1000;
 
-/// Preferred minimum number of teeth. A wheel with fewer teeth hardly looks like a wheel, but a ratio may need one.
+/// Preferred minimum number of teeth. A wheel with fewer teeth hardly looks like a wheel, but some ratios require it.
 const SEEMLY: u32 = 12;
 
 pub(super) fn mesh(conversion: &mut Conversion<'_>, ratio: &Ratio) {

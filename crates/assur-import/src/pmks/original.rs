@@ -214,13 +214,14 @@ impl<'a> Reading<'a> {
         self.size = self.sketch.size();
     }
 
-    /// Adds the pairs. Returns, for each joint that is a slide, the index of the slide.
+    /// Adds the pairs. Returns for each joint the index of its slide; none for a joint without a slide.
     fn pairs(&mut self, rows: &[Row<'a>]) -> Vec<Option<usize>> {
         let mut slides = vec![None; rows.len()];
         for (joint, row) in rows.iter().enumerate() {
             let bodies: Vec<Body> = row.links.iter().map(|link| self.body(link)).collect();
             let (slot, riders) = match (row.kind, &bodies[..]) {
-                // Neither link turns relative to the other: either may carry the line. The ground is preferred.
+                // The links of a prismatic pair do not turn relative to each other, so the line may be on either. The
+                // ground is preferred.
                 (Kind::Slide, [first, Body::Frame]) => (Some(Body::Frame), vec![*first]),
                 (Kind::Slide | Kind::PinInSlot, [first, rest @ ..]) if !rest.is_empty() => {
                     (Some(*first), rest.to_vec())

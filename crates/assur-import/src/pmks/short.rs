@@ -104,7 +104,8 @@ fn fields(section: &str) -> Result<(i64, Vec<&str>), ImportProblem> {
     ))
 }
 
-/// Reads a joint: `[flags]id,name,x,y,angle`, for a pin on a link also `carrier,from,to`, then the joint's own speed.
+/// Reads a joint: `[flags]id,name,x,y,angle,carrier,from,to,speed`; the last four fields may be missing. `carrier`,
+/// `from` and `to` are given only for a prismatic pair on a link. `speed` is the joint's own speed as a driver.
 fn pin(section: &str) -> Result<Pin, ImportProblem> {
     let (flags, fields) = fields(section)?;
     let is = |bit: i64| flags >> bit & 1 == 1;

@@ -170,7 +170,7 @@ impl<'a> Named<'a> {
         })
     }
 
-    /// The drivers that move something, with their rates; the others are listed in `left_out`.
+    /// The drivers that move a link, with their rates; the others are listed in `left_out`.
     fn drivers(&self, all: Vec<Driver>, left_out: &mut Vec<LeftOut>) -> Vec<DriverDocument> {
         let (moving, idle): (Vec<Driver>, Vec<Driver>) =
             all.into_iter().partition(|driver| match driver.moves {

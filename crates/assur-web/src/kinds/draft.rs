@@ -33,7 +33,7 @@ pub(crate) struct DraftSummary<'a> {
     bounds: [f64; 4],
     handles: Vec<HandleSummary<'a>>,
     roles: BTreeMap<&'a str, &'static str>,
-    /// Mobility W by count; none if the drawing could move, or refers to a part that does not exist.
+    /// Mobility W by count; none if the drawing could move, or if a defect of the drawing prevents counting.
     mobility: Option<isize>,
     /// Numbers of links and pairs; none if a defect of the drawing prevents counting.
     counts: Option<CountsSummary>,

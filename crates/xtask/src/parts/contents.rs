@@ -1,4 +1,4 @@
-//! The contents of a module that its division into parts needs.
+//! The contents of a WebAssembly module that must be known to divide the module into two parts.
 
 use std::collections::BTreeSet;
 

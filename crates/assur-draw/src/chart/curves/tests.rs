@@ -30,8 +30,8 @@ fn sine(input: InputRate, differenced: bool) -> [Plot; 3] {
     )
 }
 
-/// Central differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: near the exact derivative, but
-/// different.
+/// Central differences of cos φ₁ over ±h are −sin φ₁ (sin h)/h: close to the exact derivative −sin φ₁, but not equal
+/// to it.
 #[test]
 fn differences_are_of_the_samples() {
     let input = InputRate {

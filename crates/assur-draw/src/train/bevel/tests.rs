@@ -9,8 +9,8 @@ fn beyond_half(phase: f64) -> f64 {
     (turns - turns.round()).abs()
 }
 
-/// Gears touch along a line, where teeth meet gaps; with magnets north meets south. This is so at all angles that the
-/// train allows.
+/// Bevel gears in mesh touch along a line, and on this line teeth meet gaps. Where magnets are nearest, north poles
+/// meet south poles. Both hold at all angles that the train allows.
 #[test]
 fn cones_roll_on_one_another() {
     for (teeth, satellites) in [

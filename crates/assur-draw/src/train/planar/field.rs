@@ -24,7 +24,7 @@ impl Planar {
         ]
     }
 
-    /// Arrows on both sides of each gap. They point away from the gap between like poles, otherwise into it.
+    /// Arrows on both sides of each gap. Between like poles they point away from the gap, between unlike poles into it.
     pub(super) fn field(&self) -> Vec<Vec<Point>> {
         // Small satellites have smaller arrows.
         let unit = self.unit.min(2.0 * self.satellite.radius() / ROOM);

@@ -59,7 +59,7 @@ pub enum MemberKind {
 }
 
 impl MemberKind {
-    /// Whether the torque grows with the square of the speed; otherwise it is friction.
+    /// Whether the torque grows with the square of the speed; otherwise it is that of dry friction.
     fn stirs(self) -> bool {
         matches!(self, Self::Fan | Self::Stirrer | Self::Propeller)
     }
@@ -139,8 +139,8 @@ impl Default for BodiesDocument {
 }
 
 impl GearTrainDocument {
-    /// The model of the train under load. None if no such model can be made and the document is not `loaded`. Faulty
-    /// knots of the load are always an error.
+    /// The model of the train under load. None if no such model can be made and the document is not `loaded`. For a
+    /// planar train with magnets, faulty knots of the load are an error even then.
     pub(super) fn differential(
         &self,
         layout: &Layout,

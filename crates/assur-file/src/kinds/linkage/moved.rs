@@ -75,8 +75,8 @@ impl LinkageDocument {
         Mechanism::assembled(&self.spec(), input).map_err(Problem::all)
     }
 
-    /// The document with the points, links, drivers and tracers of a specification, usually the linkage in another
-    /// pose. The result names no assembly.
+    /// The document with the points, links, drivers and traced points of a specification, usually the linkage in
+    /// another pose. The result names no assembly.
     pub fn redrawn(&self, draft: &LinkageSpec) -> Self {
         let drawn = Self::new(draft);
         Self {
@@ -157,9 +157,9 @@ impl LinkageDocument {
         others.filter_map(angle).collect()
     }
 
-    /// The quantities to be plotted for a choice on the page. The name of a point stands for both its coordinates, the
-    /// name of a quantity, such as `LINK.angle`, for this quantity. `angles` stands for the outputs of the same kind as
-    /// the first, angle or length; if there are no outputs, for all angles. None for an unknown name.
+    /// The quantities that the name `choice` selects for the plots. The name of a point selects both its coordinates.
+    /// The name of a quantity, such as `LINK.angle`, selects this quantity. `angles` selects the outputs of the same
+    /// kind, angle or length, as the first output, or all angles if there are no outputs. None for an unknown name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
             let mut asked = self.outputs(mechanism);

@@ -91,7 +91,7 @@ pub enum LinkageProblem {
     },
     /// A required band, arc or stroke of a dwell is not positive and finite, or the required arc exceeds a turn.
     BadWish { field: Field },
-    /// A search for a dwell of an output that the mechanism lacks, or that is an undirected angle.
+    /// The output of which a dwell is sought does not exist or is an undirected angle.
     NoOutput,
     /// A search in which no dimension may change.
     NothingMoves,

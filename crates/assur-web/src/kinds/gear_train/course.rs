@@ -214,7 +214,7 @@ impl Course {
         self.chart = Some(Chart::by_time(span, Kind::Angle, self.series(), samples));
     }
 
-    /// For a motion without end: start of the span that contains a time, and samples over this span.
+    /// The span that contains a time, for a motion without end: start of the span, and samples over it.
     fn around(&self, time: f64) -> (f64, Vec<(f64, Known)>) {
         let start = self.span * (on_axis(time) / self.span).floor();
         let known = (0..=SAMPLES).map(|step| {

@@ -48,7 +48,8 @@ pub(crate) struct GearTrainSummary<'a> {
     /// Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels.
     gaps: Option<[f64; 2]>,
     axis_distance: f64,
-    /// Distances (mm) and velocities (mm/s) of points at the final speeds of the shafts; null for bevel wheels.
+    /// Distances (mm) and velocities (mm/s) of points of the first satellite, at the final speeds of the shafts; null
+    /// for bevel wheels.
     velocities: Option<VelocitySummary>,
     /// External torques on the shafts, neglecting losses, as multiples of the torque on the sun.
     #[serde(with = "ShaftNumbers")]
@@ -170,7 +171,7 @@ pub(crate) struct HaltSummary {
     time: f64,
 }
 
-/// The greatest torque among the knots of a load.
+/// The greatest torque among the knots of a load; 0 if no torque is positive.
 pub(super) fn greatest(load: &[[f64; 2]]) -> f64 {
     load.iter().map(|[_, torque]| *torque).fold(0.0, f64::max)
 }

@@ -216,7 +216,7 @@ impl<'a> SchemeSummary<'a> {
     }
 }
 
-/// The pair with missing data, if this is why there is no rank.
+/// The pair whose missing data are the reason why there is no rank; none if there is another reason.
 fn lacking(why: &NoRank) -> Option<String> {
     match why {
         NoRank::NoPlace(pair) | NoRank::NoAxis(pair) | NoRank::NoForm(pair) => Some(pair.clone()),

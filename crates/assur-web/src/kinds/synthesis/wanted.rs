@@ -35,8 +35,8 @@ pub(crate) struct WantedSummary {
     theorems: Vec<TheoremSummary>,
     /// The condition omitted by theorem 5; null if coupler and output are parallel.
     pair: Option<LeftOutSummary>,
-    /// The range of l₁ in which l₂ is positive, and that in which l₃ is; null if condition (13) fails. A null range is
-    /// empty; a null maximum means no limit.
+    /// The range of l₁ in which l₂ is positive, and the range in which l₃ is positive; null if condition (13) fails. A
+    /// null range is empty; a null maximum means no limit.
     ranges: Option<[Option<Range>; 2]>,
     /// Range of l₁ for which all lengths are positive, null if empty; its ends are equal if only one l₁ is possible.
     interval: Option<Range>,
