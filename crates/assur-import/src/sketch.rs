@@ -87,6 +87,11 @@ pub(crate) struct Sketch {
 }
 
 impl Sketch {
+    /// Whether no driver has a speed.
+    pub(crate) fn is_still(&self) -> bool {
+        self.drivers.iter().all(|driver| driver.speed == 0.0)
+    }
+
     /// Adds a point that only helps to define a part.
     pub(crate) fn helper(&mut self, name: String, at: [f64; 2], fixed: bool) -> usize {
         self.joints.push(Joint {

@@ -312,10 +312,11 @@ impl Conversion<'_> {
                 .iter()
                 .filter_map(|id| self.joint(*id))
                 .collect();
+            let name = Parts::called(link);
             let [from, to] = joints[..] else {
+                self.sketch.left_out.push(LeftOut::Actuator { link: name });
                 continue;
             };
-            let name = Parts::called(link);
             let [a, b] = [from, to].map(|joint| self.sketch.joints[joint].at);
             let along = |share: f64| [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])];
             let end = format!("{}′", self.sketch.joints[from].name);
@@ -357,13 +358,13 @@ impl Conversion<'_> {
         }
     }
 
-    /// Lists the property that a driver loses: motion by hand or, for the first driver, its speed. `told` makes the
+    /// Lists the property that a driver loses: motion by hand or, for the first driver that moves, its speed. `told` makes the
     /// entry for the speed.
     fn driven(&mut self, link: &str, speed: f64, by_hand: bool, told: impl Fn(String) -> LeftOut) {
         let link = link.to_owned();
         if by_hand {
             self.sketch.left_out.push(LeftOut::ByHand { link });
-        } else if self.sketch.drivers.is_empty() && speed != 0.0 {
+        } else if speed != 0.0 && self.sketch.is_still() {
             self.sketch.left_out.push(told(link));
         }
     }

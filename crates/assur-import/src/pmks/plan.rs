@@ -312,7 +312,7 @@ impl Plan {
                 Moves::Crank { bar, .. } => sketch.bars[bar].name.clone(),
                 Moves::Slide { .. } => pin.name.clone(),
             };
-            if sketch.drivers.is_empty() && rpm != 0.0 && slides[k].is_none() {
+            if rpm != 0.0 && slides[k].is_none() && sketch.is_still() {
                 let link = called.clone();
                 sketch.left_out.push(LeftOut::Speed { link, rpm });
             }

@@ -1,5 +1,7 @@
 //! Faults by name, extreme numbers, files that would swell.
 
+use assur_import::LeftOut;
+
 use super::*;
 
 #[test]
@@ -245,6 +247,31 @@ fn what_would_swell_is_refused() {
         assert!(
             allocated <= 64 && at_once <= 32,
             "{shown}: {allocated} {at_once}"
+        );
+    }
+}
+
+/// The first anchor is moved by hand: the speed of the second is lost, and listed. An actuator with three joints is rigid.
+#[test]
+fn a_lost_speed_and_a_rigid_actuator_are_listed() {
+    let anchors = "<connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"15\" alwaysmanual=\"true\"/>\
+        <connector id=\"1\" x=\"6\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"15\"/>";
+    let free = "<connector id=\"2\" x=\"1\" y=\"2\"/><connector id=\"3\" x=\"5\" y=\"2\"/><connector id=\"4\" x=\"3\" y=\"4\"/>";
+    let links = "<Link id=\"5\"><connector id=\"0\"/><connector id=\"2\"/></Link>\
+        <Link id=\"6\"><connector id=\"1\"/><connector id=\"3\"/></Link>\
+        <Link id=\"7\"><connector id=\"2\"/><connector id=\"4\"/></Link>";
+    let actuator = "<Link id=\"8\" actuator=\"true\" throw=\"1\" cpm=\"5\"><connector id=\"3\"/><connector id=\"4\"/>\
+        <connector id=\"2\"/></Link>";
+    let text = format!("<linkage2>{anchors}{free}{links}{actuator}</linkage2>");
+    let left_out = read(&text).unwrap().left_out;
+    let by_hand = |one: &LeftOut| matches!(one, LeftOut::ByHand { .. });
+    let speed = |one: &LeftOut| matches!(one, LeftOut::Speed { rpm, .. } if *rpm == 15.0);
+    let actuator = |one: &LeftOut| matches!(one, LeftOut::Actuator { .. });
+    for listed in [&by_hand as &dyn Fn(&LeftOut) -> bool, &speed, &actuator] {
+        assert_eq!(
+            left_out.iter().filter(|one| listed(one)).count(),
+            1,
+            "{left_out:?}"
         );
     }
 }

@@ -85,7 +85,7 @@ const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
 impl Edited for GearTrain {
     /// Sets the greatest torque of the load, the only dimension of a train. The times of the load stay the same. Only a
-    /// load without positive torque, whose number of knots is not four, gets the times of [`LOADED`].
+    /// load without torque, whose number of knots is not four, gets the times of [`LOADED`].
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         if field != "load" {
             return Err(vec![unknown(field)]);

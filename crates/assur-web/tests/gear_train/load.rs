@@ -31,6 +31,13 @@ fn the_load_is_scaled_and_its_times_stay() {
         &json!({"load": begun, "loaded": true}),
     );
     near(&summary["load"]["value"], 4.0);
+    let backwards = json!({"load": [[0, -1], [10, -1]]});
+    let (backwards, summary) = opened("train-magnets", "angles", &backwards);
+    assert_eq!(summary["load"]["value"], 1.0);
+    assert_eq!(
+        set(&backwards, 2.0)["document"]["load"],
+        json!([[0, -2], [10, -2]])
+    );
     for (field, wrong, code) in [
         ("load", f64::NAN, "not_a_number"),
         ("load", -1.0, "out_of_range"),

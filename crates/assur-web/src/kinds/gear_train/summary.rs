@@ -171,9 +171,11 @@ pub(crate) struct HaltSummary {
     time: f64,
 }
 
-/// The greatest torque among the knots of a load; 0 if no torque is positive.
+/// The greatest magnitude of the torque among the knots of a load; 0 if there are no knots.
 pub(super) fn greatest(load: &[[f64; 2]]) -> f64 {
-    load.iter().map(|[_, torque]| *torque).fold(0.0, f64::max)
+    load.iter()
+        .map(|[_, torque]| torque.abs())
+        .fold(0.0, f64::max)
 }
 
 impl<'a> GearTrainSummary<'a> {
