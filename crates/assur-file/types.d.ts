@@ -210,7 +210,7 @@ export type SchemeDocument = {
 /** Whether all motion is in one plane. */ planar: boolean, 
 /** Name of the fixed link. */ ground: string, 
 /** The pairs, which also name the links. */ pairs: Array<PairDocument>, 
-/** Points of links that are not pairs, such as the end of an arm. */ ends?: Array<EndDocument>, 
+/** Further points of links at which there is no pair, such as the end of an arm. */ ends?: Array<EndDocument>, 
 /** Names of cut pairs, such as `D`; for a compound hinge also the detached link, such as `Q:3`. */ cut: Array<string>, 
 /** Viewing direction of a spatial scheme, degrees: rotation about the z-axis from the y-axis, and elevation. */ look_deg: [number, number], 
 /** Number of the practice task that the scheme poses, if any; the answer is then hidden. */ task?: number | null, };
@@ -290,8 +290,8 @@ instant_centres: boolean,
 /** Whether the centrodes of `about` are shown. */ centrodes: boolean, 
 /** Whether the inflection circle of `about` is shown, and the circles of curvature and evolutes of traced paths. */ curvature: boolean, 
 /**
- * The link whose instant centre, centrodes and inflection circle are shown; if empty, the first link not joined to
- * the frame.
+ * The link whose instant centre, centrodes and inflection circle are shown. If empty, the first link with two or
+ * more points that is not joined to the frame; if there is none, the last link.
  */
 about: string, 
 /** The reference link of the instant centre of `about`; if empty, the frame. */ relative_to: string, 

@@ -19,8 +19,8 @@ export type AssembliesHere = {
  */
 shown: number | null, 
 /**
- * Number of all solutions, real or complex, of the Assur group that was solved over the complex numbers; none
- * unless exactly one such group was solved, and only once.
+ * Number of all solutions, real and complex, of the Assur group that was solved over the complex numbers. It is
+ * given only if exactly one such group was solved, and only once.
  */
 complex: number | null, 
 /** Whether all assemblies were found. */ whole: boolean, };
@@ -85,7 +85,7 @@ export type DeadPointSummary = { input: number, kind: string, links: Array<strin
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
 /** Always null: a drawing has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
-/** Mobility W by count; none if the drawing could move, or refers to a part that does not exist. */ mobility: number | null, 
+/** Mobility W by count; none if the drawing could move, or if a defect of the drawing prevents counting. */ mobility: number | null, 
 /** Numbers of links and pairs; none if a defect of the drawing prevents counting. */ counts: CountsSummary | null, drivers: number, 
 /** Every reason why the drawing does not move. */ reasons: readonly Problem[], loose: Array<string>, locked: Array<string>, mends: readonly Mend[], };
 export type Drawn = { 
@@ -121,7 +121,11 @@ export type GearTrainSummary = { bounds: [number, number, number, number], roles
  */
 in_contact: number | null, mobility: MobilitySummary, 
 /** Gaps between pitch circles of magnets at sun and ring, mm; null for gears in contact and bevel wheels. */ gaps: [number, number] | null, axis_distance: number, 
-/** Distances (mm) and velocities (mm/s) of points at the final speeds of the shafts; null for bevel wheels. */ velocities: VelocitySummary | null, 
+/**
+ * Distances (mm) and velocities (mm/s) of points of the first satellite, at the final speeds of the shafts; null
+ * for bevel wheels.
+ */
+velocities: VelocitySummary | null, 
 /** External torques on the shafts, neglecting losses, as multiples of the torque on the sun. */ torques: ShaftNumbers, 
 /** Power that each shaft takes in: its value in `torques` times its speed in revolutions per minute. */ powers: ShaftNumbers, 
 /**
@@ -175,7 +179,7 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type ListedSummary = { name: string, 
 /** `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`. */ what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
@@ -196,7 +200,7 @@ export type MixerSummary = {
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
 export type MotionSummary = { four_bars: Array<FourBarSummary>, points: Array<string>, 
@@ -208,7 +212,7 @@ export type MotionSummary = { four_bars: Array<FourBarSummary>, points: Array<st
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
 /** Name of the link whose angle numbers the assemblies. */ output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
@@ -285,7 +289,7 @@ export type SolutionSummary = {
 /** Whether a length is at a bound of the search. */ at_bound: boolean, verdict: VerdictSummary | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
-/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
 export type SweepColumn = { 
@@ -318,7 +322,7 @@ export type SynthesisSummary = {
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
-/** Passive wheels, whose meshes repeat what other meshes do. */ passive: Array<string>, 
+/** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
 export type TickLayout = { value: number, at: number, };
@@ -339,8 +343,8 @@ export type WantedSummary = {
 /** Gap of the contour at the coupler angle `at`, in the unit of lengths. */ open: number, conditions: Array<ConditionSummary>, theorems: Array<TheoremSummary>, 
 /** The condition omitted by theorem 5; null if coupler and output are parallel. */ pair: LeftOutSummary | null, 
 /**
- * The range of l₁ in which l₂ is positive, and that in which l₃ is; null if condition (13) fails. A null range is
- * empty; a null maximum means no limit.
+ * The range of l₁ in which l₂ is positive, and the range in which l₃ is positive; null if condition (13) fails. A
+ * null range is empty; a null maximum means no limit.
  */
 ranges: [[number, number | null] | null, [number, number | null] | null] | null, 
 /** Range of l₁ for which all lengths are positive, null if empty; its ends are equal if only one l₁ is possible. */ interval: [number, number | null] | null, };
