@@ -28,7 +28,7 @@ impl Sketch {
 
     /// Returns the side of a frame line that faces away from the fixed pivots, or the lower side if they are on both sides.
     /// Moving figures have the same side, but for pivots near the line.
-    fn outer(&self, start: Point, along: Vector) -> Vector {
+    pub(super) fn outer(&self, start: Point, along: Vector) -> Vector {
         let across = parts::lower(along);
         let pivots = self.draft.frame.iter().filter(|name| self.is_support(name));
         let offs = pivots.filter_map(|name| Some(self.place(name)? - start));
