@@ -133,7 +133,9 @@ export class Work {
    * @param {string | null | undefined} made name of the new end
    */
   #tell({ point, link }, made) {
-    if (!point && link && made) refuse(this.#page, "on_link", { point: made, link });
+    // The link may be called by its points, and so have another name now. Bars made with the end come after it.
+    const name = made && this.#document.links.find(({ points }) => points.includes(made))?.name;
+    if (!point && link && name) refuse(this.#page, "on_link", { point: made, link: name });
   }
 
   /**

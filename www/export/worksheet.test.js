@@ -94,8 +94,8 @@ test("beside a drawing stand the numbers that it is drawn with, not one that is 
 
 test("an address too long to be read from paper is not printed, and the sheet says so", () => {
   const foot = (/** @type {number} */ length) => {
-    const page = print("mixer-a", false, (one) => (one.address = { link: () => "x".repeat(length) })).sheet;
-    const footer = page.all.find(({ tagName }) => tagName === "FOOTER");
+    const { sheet } = print("mixer-a", false, (page) => Object.assign(page, { address: { link: () => "x".repeat(length) } }));
+    const footer = sheet.all.find(({ tagName }) => tagName === "FOOTER");
     return [footer.all.some(({ tagName }) => tagName.toLowerCase() === "svg"), footer.textContent];
   };
   assert.deepEqual(foot(80), [true, "x".repeat(80)]);
