@@ -30,8 +30,8 @@ const GIVEN: &str =
 const ONE_ROW: &str = "const [asked, check, on] = ['lesson-question', 'lesson-check', 'lesson-on'].map((id) => document.getElementById(id).getBoundingClientRect());
     return check.top === on.top && (innerWidth < 960 || asked.top > 0 && on.bottom < innerHeight);";
 
-/// Whether the page itself scrolls, on a screen where only its parts do.
-const SCROLLS: &str = "const all = document.documentElement; return innerWidth >= 960 && all.scrollHeight > innerHeight;";
+/// Whether the page itself scrolls: aside, or on a screen where only its parts do.
+const SCROLLS: &str = "const all = document.documentElement; return all.scrollWidth > innerWidth || innerWidth >= 960 && all.scrollHeight > innerHeight;";
 
 /// What a lesson is walked with.
 #[derive(Clone, Copy, Debug, PartialEq)]
