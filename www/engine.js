@@ -37,6 +37,8 @@ export class Engine {
   labels = [];
   /** @type {import("assur/types/file.js").LengthUnit} unit of lengths in the document */
   lengths = "none";
+  /** Symbol unit of linkages, in the unit of lengths; 0 for a hundredth of the drawing's size. */
+  symbol = 0;
   /** Whether the document may choose the unit of lengths. */
   choosesLengths = false;
   catalogue = new Catalogue(module.mixers(), () => this.functions.catalogue());
@@ -57,6 +59,7 @@ export class Engine {
   set(state) {
     const summary = this.ask(() => {
       const simulator = this.#simulator;
+      simulator.setSymbol(this.symbol);
       const taken = simulator.set(withoutExtras(state));
       this.names = this.names.updated(simulator.readouts());
       this.labels = simulator.labelNames();

@@ -201,20 +201,20 @@ async fn a_is_in_the_table_and_told() {
         let said = "return document.getElementById('mechanism-description').textContent";
         let said = page.ask(said).await;
         let said = said.as_str().unwrap();
-        let value = format!(" {:.1}°, B − A = ", shown[0]);
-        said.contains("For comparison, mechanism A: ") && said.contains(&value)
+        let value = format!(" {:.1}°, Ⓑ − Ⓐ = ", shown[0]);
+        said.contains("For comparison, mechanism Ⓐ: ") && said.contains(&value)
     })
     .await;
     open_dialog(&page).await;
     let table = save_text(&page, "export-table-csv", "assur-mixer.csv").await;
-    assert!(table.contains("\n# A: "), "{}", &table[..400]);
+    assert!(table.contains("\n# Ⓐ: "), "{}", &table[..400]);
     let lines = cells(&table);
     let head = &lines[0];
-    let own = head.iter().filter(|name| !name.starts_with("A: ")).count();
+    let own = head.iter().filter(|name| !name.starts_with("Ⓐ: ")).count();
     // But for the input each column of B is one of A, too.
     assert_eq!(own, head.len() - own + 1);
     let column = |name: &str| head.iter().position(|one| *one == name).unwrap();
-    for (name, degrees) in ["A: rocker.angle_deg", "rocker.angle_deg"]
+    for (name, degrees) in ["Ⓐ: rocker.angle_deg", "rocker.angle_deg"]
         .into_iter()
         .zip(shown)
     {
@@ -252,8 +252,8 @@ async fn the_table_says_why_a_has_no_row() {
     let column = |name: &str| lines[0].iter().position(|one| *one == name).unwrap();
     let row = &lines[1 + 200];
     assert_eq!(row[0], "200");
-    assert_eq!(row[column("A: C.x_length")], "");
-    assert_eq!(row[column("A: reason")], "links_apart");
+    assert_eq!(row[column("Ⓐ: C.x_length")], "");
+    assert_eq!(row[column("Ⓐ: reason")], "links_apart");
     assert_ne!(row[column("C.x_length")], "");
     assert_eq!(row[column("reason")], "");
     page.close().await;

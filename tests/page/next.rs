@@ -26,8 +26,12 @@ const CUT: &str = "return [...document.querySelectorAll('.lesson-body *')]
 const GIVEN: &str =
     "return [document.getElementById('lesson-answer')?.value, document.activeElement?.id];";
 
-/// Whether the page itself scrolls, on a screen where only its parts do.
-const SCROLLS: &str = "const all = document.documentElement; return innerWidth >= 960 && all.scrollHeight > innerHeight;";
+/// Whether *Check* and *Next* stand in one row, and on a wide screen in sight together with the question.
+const ONE_ROW: &str = "const [asked, check, on] = ['lesson-question', 'lesson-check', 'lesson-on'].map((id) => document.getElementById(id).getBoundingClientRect());
+    return check.top === on.top && (innerWidth < 960 || asked.top > 0 && on.bottom < innerHeight);";
+
+/// Whether the page itself scrolls: aside, or on a screen where only its parts do.
+const SCROLLS: &str = "const all = document.documentElement; return all.scrollWidth > innerWidth || innerWidth >= 960 && all.scrollHeight > innerHeight;";
 
 /// What a lesson is walked with.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -201,6 +205,7 @@ async fn walk_by(id: &str, (hands, screen, lang): Way) {
         let verdict = verdict_on(&page, hands, right).await;
         assert_eq!(verdict, "right", "{id} {step}, {hands:?} {lang}: {right}");
         before = right.as_f64();
+        assert_eq!(page.ask(ONE_ROW).await, json!(true), "{id} {step}");
         hands.press(&page, "lesson-on").await;
         assert_eq!(page.text("problem").await, "", "{id} after {step}");
         assert_eq!(page.ask(CUT).await, json!([]), "{id} after {step}");
@@ -220,6 +225,11 @@ async fn walk_by(id: &str, (hands, screen, lang): Way) {
             .unwrap()
     );
     assert_eq!(page.count("#lesson-on:disabled").await, 1);
+    hands.press(&page, "lesson-again").await;
+    let progress = page.text("lesson-progress").await;
+    if lang == "en-US" {
+        assert_eq!(progress, format!("Step 1 of {}", steps.len()));
+    }
     page.close().await;
 }
 

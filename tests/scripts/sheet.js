@@ -25,7 +25,7 @@ export function sheetOf(page, steps = [], pose = () => {}) {
     words: page.words.measured(page.engine.lengths),
     mechanism: { cropped: () => picture, fit() {} },
     chart: { size: picture.size, panels: [], paint() {} },
-    address: { link: () => "https://assur.test/#mixer-a" },
+    address: page.address ?? { link: () => "https://assur.test/#mixer-a" },
     posed: (hidden, make) => {
       pose(hidden);
       return make();

@@ -172,3 +172,51 @@ fn groups_in_any_unit_can_be_changed() {
         }
     }
 }
+
+/// A geared five-bar is driven from where it is drawn, although its range, of up to two turns of the crank, begins a turn and
+/// more before that.
+#[test]
+fn a_geared_five_bar_starts_as_drawn() {
+    let crank = 59_f64.to_radians();
+    let mut far = 0;
+    for k in 0..60 {
+        let [follower, reach] = [TAU * f64::from(k) / 60.0, 1.5 + 0.02 * f64::from(k)];
+        let mut draft = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", crank.cos(), crank.sin())
+            .point("C", 1.2, reach)
+            .point("D", 2.5 + follower.cos(), follower.sin())
+            .point("E", 2.5, 0.0)
+            .fixed(&["A", "E"])
+            .bar("crank", &["A", "B"])
+            .bar("left", &["B", "C"])
+            .bar("right", &["C", "D"])
+            .bar("follower", &["E", "D"])
+            .crank("crank");
+        draft.gears.push(GearSpec {
+            links: ["crank", "follower"].map(str::to_owned),
+            carrier: "frame".to_owned(),
+            teeth: [20.0, 40.0],
+            mesh: Mesh::External,
+        });
+        let motion = moved(&draft);
+        let cycle = motion.cycle();
+        if cycle.is_full() {
+            continue;
+        }
+        let drawn = motion.drawn_input();
+        assert!(
+            (drawn - crank).abs() < 1e-9,
+            "{k}: {drawn} in {:?}",
+            cycle.arcs()
+        );
+        let [first, last] = cycle.arcs()[0];
+        assert!(
+            first <= drawn && drawn <= last,
+            "{k}: {drawn} in {:?}",
+            cycle.arcs()
+        );
+        far += usize::from(first < -TAU);
+    }
+    assert!(far > 0);
+}

@@ -39,8 +39,8 @@ const LOOKS = [
 const TEXT_SIZE = 15;
 /** Size of text on a small drawing, relative to the usual size. */
 const SMALL = 0.85;
-/** A Greek letter with one letter as its subscript. Names of points and links do not match; they stay as they are. */
-const INDEXED = /^(\p{Script=Greek})_(\p{L})$/u;
+/** A Greek letter with one letter as its subscript, or a centre of curvature with the name of its point. Other names stay as they are. */
+const INDEXED = /^(\p{Script=Greek}(?=_\p{L}$)|K)_(\p{L}[\p{L}\p{N}]*)$/u;
 /** Size of a subscript relative to the text, and its distance below the text, in heights of the text. */
 const LOW = Object.freeze({ size: 0.75, below: 0.25 });
 /** Width of the line painted under a text as its halo, in pixels. */

@@ -1,5 +1,5 @@
 // Measures: distances and angles between points or links, chosen in lists or by presses on the drawing.
-import { byId, make, setData } from "assur/core/dom.js";
+import { byId, make, setData, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { partsOf } from "assur/core/quantity.js";
@@ -48,6 +48,8 @@ export class Measures {
   #parts = [0, 1, 2].map((n) => byId(`measure-${n}`, HTMLSelectElement));
   #pick = byId("measure-pick", HTMLButtonElement);
   #add = byId("measure-add", HTMLButtonElement);
+  /** What to press next, over the drawing. */
+  #prompt = make("p", { id: "measure-prompt", class: "hand-word prompt", role: "status" });
   #seen = new Seen();
   #shown = new Seen();
   /** @type {Snapshot | null} */
@@ -65,6 +67,10 @@ export class Measures {
       this.#offer();
     });
     this.#pick.addEventListener("click", () => this.#picking(this.#picked === null));
+    addEventListener("keydown", ({ key }) => {
+      if (key === "Escape" && this.#picked) this.#picking(false);
+    });
+    byId("mechanism", HTMLElement).after(this.#prompt);
     this.#add.addEventListener("click", () => this.#measure(this.#listed));
   }
 
@@ -176,6 +182,15 @@ export class Measures {
     if (!drawing) this.#page.pointer.setTool(on ? this : null);
     this.#page.mechanism.ring("");
     setData(byId("mechanism", HTMLElement), "tracing", String(on));
+    this.#ask();
+  }
+
+  /** Writes what to press next. */
+  #ask() {
+    const { count, links } = BETWEEN[this.#chosen];
+    const { words } = this.#page;
+    const number = (/** @type {number} */ n) => words.numbers.exact(n);
+    write(this.#prompt, this.#picked ? words.text(links ? "measure.prompt_link" : "measure.prompt", { number: number(this.#picked.length + 1), count: number(count) }) : "");
   }
 
   /** @param {import("assur/stage/pointer.js").Pixel} at */
@@ -200,6 +215,7 @@ export class Measures {
     this.#parts[this.#picked.length].value = part;
     this.#picked.push(part);
     this.#choose();
+    this.#ask();
     if (this.#picked.length < count) return;
     const picked = this.#picked;
     this.#picking(false);

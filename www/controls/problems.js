@@ -1,6 +1,6 @@
 // Sentences for the problems that the engine reports.
 import { degrees } from "assur/core/angles.js";
-import { byId, make } from "assur/core/dom.js";
+import { byId, make, setData } from "assur/core/dom.js";
 import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
 
 /**
@@ -20,6 +20,9 @@ const LENGTH = /^(?:l\d|module|frame|tracers\[\d+\]\.[xy])$/;
 const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
 /** A number in a list, such as `bodies.inertia[2]`, or in a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
+
+/** Code of a message that only says what a press did. */
+const DONE = "on_link";
 
 /** Keys of the sentences on impossible lengths, by the code of the problem. */
 const OF_LENGTHS = Object.freeze(/** @type {Record<string, string>} */ ({ too_large: "problem.too_large_length", too_small: "problem.too_small_length" }));
@@ -154,6 +157,7 @@ export class ProblemView {
   render({ problems, words, state, coordinate }) {
     const onto = (/** @type {number} */ angle) => (coordinate.moves === "angle" ? coordinate.onto(angle) : angle);
     const sentences = problems.map((problem) => sentence(problem, words, state.document, onto));
+    setData(this.#container, "done", String(problems.every(({ code }) => code === DONE)));
     if (sentences.length > 1) sentences.unshift(words.counted("problems.count", sentences.length));
     const shown = sentences.join("\n");
     if (shown === this.#shown) return;

@@ -28,6 +28,10 @@ const PASTE_OFFSET = 4;
 /** Distance of numbers and texts from the edges of the drawing, in pixels. */
 const EDGE = 8;
 
+/** The symbol unit on the screen: this part of the shorter side of the drawing, but not less or more than these pixels. */
+const SYMBOLS = 90;
+const SYMBOL = Object.freeze([4, 6.5]);
+
 export class Drawing {
   #page;
   #selection = new Selection();
@@ -58,6 +62,7 @@ export class Drawing {
     }, () => null);
     const { picture } = this.#work;
     page.mechanism.layUnder((context, view) => {
+      this.#scaleSymbols(view);
       if (this.#on) picture.paint(context, view);
     }, () => (this.#on ? picture.bounds : null));
     addEventListener("keydown", (event) => this.#key(event), true);
@@ -102,6 +107,16 @@ export class Drawing {
     pointer.setTool(on ? this.#hand : null);
     mechanism.keep(on, () => this.#palette.insets);
     if (on) this.#palette.take("select");
+  }
+
+  /**
+   * Keeps the size of symbols on the screen while the drawing grows and the view is zoomed.
+   * @param {import("assur/canvas/transform.js").Transform} view
+   */
+  #scaleSymbols({ scale }) {
+    const { width, height } = this.#page.mechanism.size;
+    const size = Math.min(Math.max(Math.min(width, height) / SYMBOLS, SYMBOL[0]), SYMBOL[1]);
+    if (this.#page.model.scaleSymbols(this.#on ? size / scale : 0)) this.#page.redraw();
   }
 
   /** @param {KeyboardEvent} event */

@@ -63,12 +63,13 @@ export function step(page, wanted) {
 }
 
 /**
- * Shows the reason for a refusal until the next edit.
+ * Shows the reason for a refusal, or what a press did unasked, until the next edit.
  * @param {Page} page
  * @param {string} code of a problem
+ * @param {Readonly<Record<string, string>>} [parameters] of its sentence
  */
-export function refuse(page, code) {
-  page.drafts.keep(FIELD, [{ code }]);
+export function refuse(page, code, parameters = {}) {
+  page.drafts.keep(FIELD, [{ code, ...parameters }]);
 }
 
 /** @param {Page} page */

@@ -1,6 +1,8 @@
 // Drawings that are edited: by chance, undone and redone, kept in addresses; what is selected.
 import assert from "node:assert/strict";
 import test from "node:test";
+import "assur/tests/canvas.js";
+import { readDisplayList } from "assur/canvas/display-list.js";
 import { edit, refuse, step, unsay } from "assur/drawing/edit.js";
 import { Selection } from "assur/drawing/selection.js";
 import { fromAddress, toAddress } from "assur/state/codec.js";
@@ -56,6 +58,29 @@ function chance(dice, page) {
   assert.ok(frame);
   return dice.one(all)();
 }
+
+test("symbols keep their size while a drawing grows and begins to move", () => {
+  const page = begin();
+  const hinge = () => {
+    const { scene, frame } = page.now();
+    const poses = 1 + 3 * frame[0];
+    const read = (list, from) => readDisplayList(list, from, page.engine.roles, page.engine.labels, () => new Path2D());
+    const records = [...read(scene, 0), ...read(frame, poses)].flatMap(({ shapes }) => shapes).map(({ record }) => record);
+    return Math.max(...records.filter(([kind, role]) => kind === 3 && page.engine.roles[role] === "ink").map((record) => record[5]));
+  };
+  assert.equal(page.model.scaleSymbols(0.05), true);
+  assert.equal(page.model.scaleSymbols(0.05), false);
+  const { crank } = fourBar(page);
+  const near = hinge();
+  step(page, { edit: "bar", ends: [{ at: [40, 30] }, { at: [45, 30] }] });
+  assert.equal(hinge(), near);
+  step(page, { edit: "remove", points: ["E", "F"], links: [] });
+  step(page, { edit: "drive", link: crank });
+  assert.equal(page.store.get().kind, "linkage");
+  assert.equal(hinge(), near);
+  page.model.scaleSymbols(0);
+  assert.notEqual(hinge(), near);
+});
 
 test("edits by chance: each is taken or refused with a reason, undone, redone, and read again from its address", () => {
   let [taken, refused] = [0, 0];

@@ -261,9 +261,10 @@ export class Hand {
     if (this.#work.tool === "picture") return { point: null, link: null, wheel: null, at: this.#snapped(at, true) };
     const joint = this.#joint(at, touch);
     if (joint) return { point: joint.name, link: this.#linkOf(joint.name), wheel: this.#wheelOn(joint.name), at: [joint.x, joint.y] };
-    // With Alt, the press ignores the grid and a link under the pointer.
-    const below = event.altKey ? { link: null, wheel: null } : this.#link(at, touch);
-    return { point: null, ...below, at: this.#snapped(at, event.altKey) };
+    // With Alt, the press passes over a link under the pointer, or else ignores the grid.
+    const below = this.#link(at, touch);
+    if (!event.altKey) return { point: null, ...below, at: this.#snapped(at, false) };
+    return { point: null, link: null, wheel: null, at: this.#snapped(at, below.link === null) };
   }
 
   /**

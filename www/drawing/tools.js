@@ -128,6 +128,17 @@ export class Work {
   }
 
   /**
+   * Says that a new end lies on a link, which the press may only have passed over.
+   * @param {Target} target
+   * @param {string | null | undefined} made name of the new end
+   */
+  #tell({ point, link }, made) {
+    // The link may be called by its points, and so have another name now. Bars made with the end come after it.
+    const name = made && this.#document.links.find(({ points }) => points.includes(made))?.name;
+    if (!point && link && name) refuse(this.#page, "on_link", { point: made, link: name });
+  }
+
+  /**
    * Moves the target of a press on a link to the link's first point: that point will slide, and its guide starts there.
    * @param {Target} target
    * @returns {Target}
@@ -171,6 +182,7 @@ export class Work {
     }
     const made = this.do({ edit: "bar", ends: [end(from), end(target)] });
     if (!made) return;
+    this.#tell(target, made.point);
     // A bar that ends at an existing point is the last one.
     this.pressed = target.point || !made.point ? [] : [{ ...target, point: made.point, link: null, wheel: null }];
     this.#loose = !target.point && !target.link;
@@ -185,6 +197,7 @@ export class Work {
     }
     const { link, at } = target;
     const made = this.do(link ? { edit: "corner", link, end: { at: [...at] } } : { edit: "point", at: [...at], fixed: true });
+    this.#tell(target, made?.point);
     if (made?.point) this.pressed = [{ ...target, point: made.point, link: null, wheel: null }];
   }
 }

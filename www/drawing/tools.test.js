@@ -91,6 +91,19 @@ for (const [tool, presses, points] of [["bars", 1, 1], ["triad", 3, 6], ["dyad",
   });
 }
 
+test("an end on a link is a point of that link, and the page says so", () => {
+  const { page, work, press, links } = begin("bars");
+  press(0, 0);
+  press(0, 4);
+  work.rest();
+  page.history.step(() => work.press({ point: null, link: "AB", wheel: null, at: [0, 2] }));
+  assert.deepEqual(page.now().problems, [{ code: "on_link", point: "C", link: "ABC" }]);
+  press(3, 2);
+  assert.deepEqual(page.now().problems.filter(({ code }) => code === "on_link"), []);
+  assert.deepEqual(links(), ["ABC", "CD"]);
+  assert.deepEqual(page.store.get().document.links[0].points, ["A", "B", "C"]);
+});
+
 test("a message about a press leaves after some seconds", (t) => {
   t.mock.timers.enable({ apis: ["setTimeout"] });
   const { page } = begin("drive");

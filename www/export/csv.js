@@ -35,8 +35,8 @@ const COLUMNS = Object.freeze({
   centre_y: Object.freeze(["export.column.centre_y"]),
 });
 
-/** Prefix of the column headings and dimensions of the compared mechanism, A. */
-const OF_A = "A: ";
+/** Prefix of the column headings and dimensions of the compared mechanism, Ⓐ. */
+const OF_A = "Ⓐ: ";
 
 /** Significant digits of a dimension. They exclude the rounding errors of lengths computed from coordinates. */
 const DIGITS = 12;

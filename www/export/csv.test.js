@@ -170,10 +170,10 @@ test("what is compared with it has columns and comments of its own, at the same 
   const state = stateOf(engine, "mixer-a");
   const compared = { kind: state.kind, document: { ...state.document, l2: 0.9 } };
   const csv = await readCsv(write(withExtras(state, { compared }), { steps: 12 }));
-  assert.ok(csv.comments.includes("# A: length of B-C = 0.9 m"), String(csv.comments));
+  assert.ok(csv.comments.includes("# Ⓐ: length of B-C = 0.9 m"), String(csv.comments));
   const alone = await readCsv(write({ ...state, document: compared.document }, { steps: 12 }));
-  for (let row = 0; row < 12; row++) assert.equal(csv.cell(row, "A: rocker.angle"), alone.cell(row, "rocker.angle"));
-  assert.ok(csv.header.includes("A: reason"));
+  for (let row = 0; row < 12; row++) assert.equal(csv.cell(row, "Ⓐ: rocker.angle"), alone.cell(row, "rocker.angle"));
+  assert.ok(csv.header.includes("Ⓐ: reason"));
 });
 
 test("a name with a separator, quotes or a new line stays one cell", async () => {

@@ -14,6 +14,9 @@ import { END } from "assur/lesson/panel.js";
 const CELL = 0.45;
 /** Quiet zone around the code, in cells. */
 const QUIET = 4;
+/** Numbers of characters up to which an address is printed as text, and as a QR code: longer ones nobody types, or no telephone reads. */
+const MAX_TEXT = 200;
+const MAX_CODE = 900;
 
 /**
  * Makes the browser print a worksheet instead of the page.
@@ -59,7 +62,7 @@ function worksheet(page, steps) {
     make("div", { class: "figures" }, figures),
     make("div", { class: "tables" }, [dimensions(page), values(page.shown)]),
     ...(items.length > 0 ? [make("ol", {}, items), ...page.lesson.onPaper(END)] : []),
-    foot(address.link(model.lastAccepted), engine),
+    foot(address.link(model.lastAccepted), page),
   ]);
 }
 
@@ -85,12 +88,12 @@ function values(shown) {
 
 /**
  * @param {string} link
- * @param {import("assur/engine.js").Engine} engine
+ * @param {Page} page
  */
-function foot(link, engine) {
-  const cells = engine.functions.qrCode(link);
+function foot(link, { engine, words }) {
+  const cells = link.length > MAX_CODE ? null : engine.functions.qrCode(link);
   const parts = cells ? [code(cells)] : [];
-  return make("footer", {}, [...parts, make("p", {}, [link])]);
+  return make("footer", {}, [...parts, make("p", {}, [link.length <= MAX_TEXT ? link : words.text(cells ? "print.code" : "print.long")])]);
 }
 
 /** @param {Uint8Array} cells of the QR code, row by row; 1 is dark */

@@ -92,6 +92,17 @@ test("beside a drawing stand the numbers that it is drawn with, not one that is 
   assert.match(said[0], /^Crank l₁ = 0\.37(?!\d)/);
 });
 
+test("an address too long to be read from paper is not printed, and the sheet says so", () => {
+  const foot = (/** @type {number} */ length) => {
+    const { sheet } = print("mixer-a", false, (page) => Object.assign(page, { address: { link: () => "x".repeat(length) } }));
+    const footer = sheet.all.find(({ tagName }) => tagName === "FOOTER");
+    return [footer.all.some(({ tagName }) => tagName.toLowerCase() === "svg"), footer.textContent];
+  };
+  assert.deepEqual(foot(80), [true, "x".repeat(80)]);
+  assert.deepEqual(foot(600), [true, words.text("print.code")]);
+  assert.deepEqual(foot(2775), [false, words.text("print.long")]);
+});
+
 test("the table of values and the status line are printed as they are shown, and nothing of a document before", () => {
   const cell = (id, text, more) => ({ id: `out-${id}`, title: id, text, ...more });
   const show = ({ shown }) => {

@@ -1,6 +1,5 @@
 // Opening of a lesson from other parts of the page, with its step's mechanism; opening of the form for lecturers.
 import { OWN, readLesson } from "assur/lesson/offer.js";
-import { Progress } from "assur/lesson/progress.js";
 import { open } from "assur/lesson/show.js";
 import { shownNow } from "assur/lesson/steps.js";
 import { withExtras, withView } from "assur/state/state.js";
@@ -9,14 +8,12 @@ import { withExtras, withView } from "assur/state/state.js";
  * Opens a lesson at a step, with the mechanism of this step.
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/lesson/offer.js").Entry} entry
- * @param {number} [step] number of the step, from 1; by default the first step neither solved nor shown, or 1 if there
- * is none
+ * @param {number} [step] number of the step
  */
-export async function begin(page, entry, step) {
+export async function begin(page, entry, step = 1) {
   const { lesson: { steps }, presets } = await readLesson(entry);
   const { id } = entry;
-  const wanted = step === undefined ? new Progress(id, steps).next : step - 1;
-  const index = Math.min(Math.max(wanted, 0), steps.length - 1);
+  const index = Math.min(Math.max(step, 1), steps.length) - 1;
   const [show] = steps[index].shows;
   if (open(show, presets, page, { lesson: { id, step: index + 1 } })) page.attend();
 }

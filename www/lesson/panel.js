@@ -76,8 +76,10 @@ export class LessonPanel {
   #shows = make("div", { class: "segments" });
   #legend = make("legend", { id: "lesson-question" });
   #fields = make("div", { class: "choices" });
-  #check = make("button", { id: "lesson-check", class: "control" });
+  #check = make("button", { id: "lesson-check", class: "control", form: "lesson-form" });
   #reveal = make("button", { id: "lesson-reveal", class: "control", type: "button", onclick: () => this.#showAnswer() });
+  /** For a reader who opened a lesson once begun, which opens at its first step. */
+  #resume = make("button", { id: "lesson-resume", class: "control", type: "button", hidden: "", onclick: () => this.#resumeStep() });
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
   #tools;
@@ -100,7 +102,7 @@ export class LessonPanel {
     this.#words = words;
     this.#steps = source.tell(words);
     this.#progress = new Progress(source.name, this.steps());
-    const form = this.#form = make("form", { autocomplete: "off" }, [make("fieldset", {}, [this.#legend, this.#fields]), make("div", { class: "lesson-buttons" }, [this.#check, this.#reveal]), this.#said]);
+    const form = this.#form = make("form", { id: "lesson-form", autocomplete: "off" }, [make("fieldset", {}, [this.#legend, this.#fields]), this.#said]);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       this.#answer();
@@ -108,11 +110,12 @@ export class LessonPanel {
     this.#tools = new Tools(page.shown);
     this.#own = new OwnMechanism(page, this.#tools.element);
     addEventListener("pagehide", this.#left);
-    const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#walked, this.#on]);
+    const walk = make("div", { class: "lesson-walk" }, [this.#back, this.#check, this.#on]);
+    const state = make("div", { class: "lesson-state" }, [this.#walked, this.#reveal]);
     const paper = this.#paper = source.paper && new Paper(page.engine, source.paper);
-    const step = [this.#title, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : [])];
+    const step = [this.#title, this.#resume, this.#text, ...(paper ? [paper.main] : []), this.#shows, this.#drawn, this.#tools.element, ...(paper ? [paper.fold] : [])];
     this.#body.replaceChildren(...(source.frame?.(step, this.#progress, () => this.#renew()) ?? step));
-    container.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk]));
+    container.replaceChildren(this.#body, make("div", { class: "lesson-foot" }, [form, walk, state]));
   }
 
   /** Keeps the digest of the step's mechanism, because the reader may leave the page. */
@@ -209,16 +212,35 @@ export class LessonPanel {
     return this.#steps[this.#number(this.#page.store.get()) - 1];
   }
 
+  /** @param {number} by */
+  #go(by) {
+    this.#goTo(this.#number(this.#page.store.get()) + by);
+  }
+
+  /** Goes to the first step that is neither solved nor shown. */
+  #resumeStep() {
+    this.#goTo(this.#progress.next + 1);
+    this.#title.focus();
+  }
+
+  /** Begins the lesson anew: at its first step, without the answers given. */
+  #again() {
+    this.#progress.forget();
+    this.#judged.clear();
+    this.#goTo(1);
+    this.#title.focus();
+  }
+
   /**
    * Goes to another step and shows its mechanism. A single undo brings back the mechanism shown before.
-   * @param {number} by
+   * @param {number} wanted number of the step
    */
-  #go(by) {
+  #goTo(wanted) {
     const { store } = this.#page;
     const { lesson } = store.get().view;
     const number = this.#number(store.get());
     // A button pressed twice in one frame may lead past the last step.
-    const next = Math.min(Math.max(number + by, 1), this.#steps.length);
+    const next = Math.min(Math.max(wanted, 1), this.#steps.length);
     if (!lesson || next === number) return;
     const step = this.#steps[next - 1];
     const view = { lesson: { ...lesson, step: next } };
@@ -251,19 +273,23 @@ export class LessonPanel {
     if (focused === this.#on && this.#on.disabled) this.#back.focus();
 
     write(this.#title, title);
+    const { next } = this.#progress;
+    this.#resume.hidden = number !== 1 || next < 1;
+    write(this.#resume, words.text("lesson.resume", { number: words.numbers.exact(next + 1) }));
     const paragraphs = text.split("\n").map((one) => make("p", {}, marked(one)));
     const lines = formula === "" ? [] : [make("p", { class: "formula" }, withSubscripts(formula))];
     this.#text.replaceChildren(...paragraphs, ...lines);
+    const again = make("button", { id: "lesson-again", class: "segment", type: "button", onclick: () => this.#again() }, [words.text("lesson.again")]);
     this.#shows.replaceChildren(...shows.map(({ id, text: said, open, href }) => {
       if (href !== undefined) return make("a", { id, href, target: "_blank", rel: "noopener" }, [said]);
       return make("button", { id, class: "segment", type: "button", onclick: () => this.#own.open(open) }, [said]);
-    }));
+    }), ...(step.id === END ? [again] : []));
     this.#paper?.show(step.id, step.id === END, words);
     this.#figure = step.tools.figure?.(this.#page.engine);
     this.#drawn.replaceChildren(...(this.#figure ? [this.#figure.element] : []));
     this.#begin(step);
     this.#form.hidden = !question;
-    this.#check.hidden = question?.reached !== undefined;
+    this.#check.hidden = !question || question.reached !== undefined;
     writeSubscripted(this.#legend, question?.text ?? "");
     this.#fields.replaceChildren(...(question ? this.#inputs(question) : []));
     this.#fill();
@@ -285,7 +311,7 @@ export class LessonPanel {
     const solved = this.#progress.isSolved(step.id);
     const { hides = [], reached } = step.question ?? {};
     this.#setWithheld(solved || this.#progress.isShown(step.id) ? [] : hides);
-    this.#reveal.hidden = solved || reached !== undefined;
+    this.#reveal.hidden = !step.question || solved || reached !== undefined;
   }
 
   /** @param {readonly string[]} hides quantities and read-outs to hide */

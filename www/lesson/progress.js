@@ -121,6 +121,12 @@ export class Progress {
     this.#keep();
   }
 
+  /** Removes the answers, for a reader who begins the lesson anew. */
+  forget() {
+    for (const part of [this.#given, this.#solved, this.#shown, this.#tries]) part.clear();
+    this.#keep();
+  }
+
   #keep() {
     const [given, tries, mechanisms] = [this.#given, this.#tries, this.#mechanisms].map((map) => Object.fromEntries(/** @type {Map<string, string | number>} */ (map)));
     keepLesson(this.#name, JSON.stringify({ given, solved: [...this.#solved], shown: [...this.#shown], tries, mechanisms }));

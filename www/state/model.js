@@ -184,6 +184,18 @@ export class Model {
   }
 
   /**
+   * Draws symbols in another size from the next state on.
+   * @param {number} unit symbol unit in the unit of lengths; 0 for a hundredth of the drawing's size
+   * @returns {boolean} whether the size changes
+   */
+  scaleSymbols(unit) {
+    if (unit === this.#engine.symbol) return false;
+    this.#engine.symbol = unit;
+    this.#asked = null;
+    return true;
+  }
+
+  /**
    * Opens the chain of a scheme at its last cut pair.
    * @param {number} share of the full opening, from 0 to 1
    */

@@ -53,6 +53,8 @@ pub struct View {
     pub measures: Vec<Quantity>,
     /// Annotations of the document.
     pub annotations: Annotations,
+    /// The symbol unit, in the unit of lengths; by default a hundredth of the drawing's size.
+    pub symbol: Option<f64>,
 }
 
 impl View {
@@ -96,7 +98,7 @@ pub struct Figure {
     /// Wheel numbers, each with the wheel's link, the tag, and the index of the tag's text among the names.
     tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
-    /// The symbol unit, a hundredth of the drawing's size.
+    /// The symbol unit.
     unit: f64,
     rigid: List,
 }
@@ -158,7 +160,7 @@ impl Figure {
                 .chain(fixed.iter().map(|point| home.place(*point))),
         );
         let size = bounds::size(base);
-        let unit = size / 100.0;
+        let unit = view.symbol.unwrap_or(size / 100.0);
         let supports = mechanism.point_ids().filter_map(|point| {
             let size = layout.support(point)?;
             Some(parts::support_reach(home.place(point), size * unit))

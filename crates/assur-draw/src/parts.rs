@@ -122,6 +122,28 @@ const STROKES: f64 = 1.5;
 /// Maximum number of strokes along a line.
 const MAX_STROKES: f64 = 400.0;
 
+/// Threshold above which a mechanism counts as lying below a line. It applies to the mean offset of the joints below
+/// the line over the motion, divided by their mean distance from the start of the line.
+const ONE_SIDED: f64 = 0.3;
+
+/// Returns the unit vector across a line that points down; across an upright line, to the left.
+pub(crate) fn lower(along: Vector) -> Vector {
+    let across = Vector::new(along.y, -along.x);
+    if across.y < -1e-6 || (across.y < 1e-6 && across.x < 0.0) {
+        across
+    } else {
+        -across
+    }
+}
+
+/// Returns the outer side of a line: `down`, or the other one if points, by their offsets from the line, are below.
+pub(crate) fn outer(down: Vector, offs: impl Iterator<Item = Vector>) -> Vector {
+    let [below, far] = offs.fold([0.0, 0.0], |[below, far], off| {
+        [below + off.dot(&down), far + off.norm()]
+    });
+    if below > ONE_SIDED * far { -down } else { down }
+}
+
 /// Draws a line of the frame, hatched on the side of the unit vector `side`.
 pub(crate) fn hatched(list: &mut List, [from, to]: [Point; 2], side: Vector, unit: f64) {
     list.polyline(Role::Secondary, Look::Line, &[from, to]);

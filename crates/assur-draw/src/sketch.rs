@@ -28,6 +28,8 @@ pub struct SketchView {
     pub locked: Vec<String>,
     /// Size of the sheet of an empty drawing, relative to the default size.
     pub sheet: f64,
+    /// The symbol unit, in the unit of lengths; by default a hundredth of the drawing's size.
+    pub symbol: Option<f64>,
 }
 
 impl Default for SketchView {
@@ -36,6 +38,7 @@ impl Default for SketchView {
             loose: Vec::new(),
             locked: Vec::new(),
             sheet: 1.0,
+            symbol: None,
         }
     }
 }
@@ -73,7 +76,8 @@ impl Sketch {
             draft: draft.clone(),
             names: Vec::new(),
             handles: Vec::new(),
-            unit: (bounds[2] - bounds[0]).hypot(bounds[3] - bounds[1]) / 100.0,
+            unit: (view.symbol)
+                .unwrap_or_else(|| (bounds[2] - bounds[0]).hypot(bounds[3] - bounds[1]) / 100.0),
             bounds,
             list: List::default(),
         };
@@ -197,7 +201,9 @@ impl Sketch {
     }
 }
 
-/// Returns the colours of the links: those for locked, loose and driven links, or else the next colour in turn.
+/// Returns the colours of the links: those for locked, loose and driven links, or else the next colour in turn. Without a
+/// driver, the first link on the frame, which is the likeliest to be driven, takes no turn, so that the others keep their
+/// colours when it is.
 fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     let driven = |name: &str| {
         draft
@@ -205,10 +211,20 @@ fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
             .iter()
             .any(|driver| draft.driven(driver) == Some(name))
     };
+    let on_frame = |link: &&LinkSpec| {
+        link.points.len() > 1 && link.points.iter().any(|point| draft.frame.contains(point))
+    };
+    let undriven = draft
+        .links
+        .iter()
+        .find(on_frame)
+        .filter(|_| draft.drivers.is_empty());
     let mut turn = IN_TURN.into_iter().cycle();
     let role = |link: &LinkSpec| {
         let own = if driven(&link.name) {
             Role::Crank
+        } else if undriven.is_some_and(|first| first.name == link.name) {
+            Role::Accent4
         } else {
             turn.next().unwrap_or(Role::Coupler)
         };

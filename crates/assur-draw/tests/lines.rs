@@ -113,6 +113,36 @@ fn centres_and_their_lines() {
     assert!(!plain.names().iter().any(|name| name.starts_with('P')));
 }
 
+/// Two paths have two centres of curvature, each with the name of its point.
+#[test]
+fn centres_of_curvature_are_named_by_their_points() {
+    let motion = four_bar();
+    let mechanism = motion.mechanism();
+    let view = View {
+        lines: Lines {
+            curvature: true,
+            ..Lines::default()
+        },
+        traced: ["B", "C"].map(|name| mechanism.point(name).unwrap()).into(),
+        ..View::default()
+    };
+    let figure = Figure::new(&motion, &view).unwrap();
+    let frame = figure.frame(&motion.pose::<5>(motion.drawn_input()).unwrap());
+    let records = moving(&figure, &frame);
+    // They are the fixed pivots, about which both points turn.
+    for (name, pivot) in [("K_B", Point::origin()), ("K_C", Point::new(4.0, 0.0))] {
+        let labels = records.iter().filter(|record| record[0] == LABEL);
+        let named: Vec<_> = labels
+            .filter(|record| figure.names()[record[2] as usize] == name)
+            .collect();
+        let [label] = named[..] else {
+            panic!("{name}: {named:?}");
+        };
+        let at = point(label[3], label[4]);
+        assert!((at - pivot).norm() < 1e-5, "{name}: {at}");
+    }
+}
+
 /// Also in every pose, and where it turns back, all that is drawn is somewhere.
 #[test]
 fn everywhere_something_finite() {

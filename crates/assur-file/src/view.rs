@@ -118,6 +118,9 @@ pub struct View {
     /// Whether the tools for drawing are shown.
     #[serde(default)]
     pub drawing: bool,
+    /// Symbol unit of the drawing, in the unit of lengths, while a person draws. The page sets it; no file has it.
+    #[serde(skip)]
+    pub symbol: Option<f64>,
     /// Whether difference quotients of the first derivatives are plotted on top of the second derivatives.
     #[serde(default)]
     pub differenced: bool,
@@ -247,6 +250,7 @@ impl Default for View {
             epsilon: 0.0,
             true_time: false,
             drawing: false,
+            symbol: None,
             differenced: false,
             lesson: None,
             projector: false,

@@ -44,11 +44,11 @@ impl Moving {
     /// The reason why there is no pose, or why derivatives are unbounded.
     pub(crate) fn curvature(&self, input: f64) -> Result<CurvatureHere<'_>, Problem> {
         let pose: Pose<5> = (self.motion().pose(input)).map_err(|why| self.problem(&why))?;
-        let circles = self.figure().curved().iter();
+        let circles = self.figure().curved().into_iter();
         let inflected = self.figure().inflected();
         Ok(CurvatureHere {
             circles: circles
-                .map(|point| self.circle_here(&pose, *point))
+                .map(|point| self.circle_here(&pose, point))
                 .collect(),
             inflection: inflected.map(|link| self.inflection_here(&pose, link)),
         })

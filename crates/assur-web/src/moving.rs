@@ -109,6 +109,7 @@ impl Moving {
                 .chain(of_plot)
                 .collect(),
             annotations,
+            symbol: view.symbol,
         };
         let figure = Figure::new(&motion, &drawing);
         let figure = figure.map_err(|unsolved| vec![explain(mechanism, &unsolved)])?;

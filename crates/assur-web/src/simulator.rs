@@ -7,7 +7,7 @@ use std::cell::Cell;
 use assur::Point;
 use assur::motion::Motion;
 use assur_edit::Edit;
-use assur_file::{LengthUnit, Problem};
+use assur_file::{LengthUnit, Problem, State};
 use wasm_bindgen::prelude::{JsValue, wasm_bindgen};
 use web_sys::CanvasRenderingContext2d;
 
@@ -35,6 +35,8 @@ pub struct Simulator {
     lengths: Option<(LengthUnit, bool)>,
     /// The motion that the last change has made. If the next state has the changed document, this motion is used.
     made: Cell<Option<Motion>>,
+    /// Symbol unit of linkages, in the unit of lengths; none for a hundredth of the drawing's size.
+    symbol: Option<f64>,
 }
 
 #[wasm_bindgen]
@@ -51,12 +53,20 @@ impl Simulator {
     /// Every problem of the state; the previous document then stays open.
     #[wasm_bindgen(skip_typescript)]
     pub fn set(&mut self, state: JsValue) -> Result<JsValue, JsValue> {
-        let state = read(&state)?;
+        let mut state: State = read(&state)?;
+        state.view.symbol = self.symbol;
         let document = open_after(self.made.take(), &state).map_err(thrown)?;
         let summary = document.summary();
         self.document = Some(document);
         self.lengths = Some((state.document.unit(), state.document.chooses_unit()));
         Ok(summary)
+    }
+
+    /// Sets the symbol unit of linkages and drafts from the next `set` on, in the unit of lengths. Unless it is positive, it is a
+    /// hundredth of the drawing's size.
+    #[wasm_bindgen(js_name = setSymbol)]
+    pub fn set_symbol(&mut self, unit: f64) {
+        self.symbol = Some(unit).filter(|unit| unit.is_finite() && *unit > 0.0);
     }
 
     /// The unit of lengths: `m`, `cm`, `mm`, `in` or `none`. Before the first `set` it is `none`.

@@ -100,7 +100,7 @@ impl SweepTable {
             // Circles of curvature need more derivatives than any other column.
             let pose = (!curved.is_empty()).then(|| motion.pose::<5>(at.input).ok());
             let pose = pose.flatten();
-            for point in curved {
+            for point in &curved {
                 let circle = pose.as_ref().map(|pose| moving.circle(pose, *point));
                 if let Some(Err(none)) = &circle {
                     reason.get_or_insert_with(|| none.clone());

@@ -21,6 +21,7 @@ simulator.transmissions();
 simulator.labelNames();
 simulator.lengths();
 simulator.choosesLengths();
+simulator.setSymbol(0);
 simulator.scene();
 simulator.advance(home, 0.1);
 simulator.at(home);

@@ -152,7 +152,7 @@ export class CourseView {
   #rows = ROWS.map((name) => ({ title: make("th", { scope: "row" }), output: make("td", { id: idOfOutput(`course-${name}`) }) }));
   #readouts;
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
-  #phases = make("p", { class: "note" });
+  #phases = make("p", { class: "note phases" });
   #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -210,8 +210,11 @@ export class CourseView {
    */
   #draw({ phases }, { cycle: { start, end }, plotted }, turned, words) {
     const period = end - start;
+    /** @type {string[]} */
     const told = [];
+    /** @type {HTMLElement[]} */
     const bars = [];
+    const key = phases.map(({ kind }) => make("i", { class: "swatch", style: `background: var(--role-${ROLES[kind]})`, "aria-hidden": "true" }));
     for (const { kind, arc: [from, to] } of phases) {
       told.push(words.text("dwell.bar", { phase: words.text(`dwell.${kind}`), from: turned(from % period), to: turned(to % period) }));
       // A phase that crosses the end of the turn continues at the start of the turn.
@@ -224,7 +227,7 @@ export class CourseView {
     this.#bars.replaceChildren(...bars);
     this.#bars.ariaLabel = [words.text("dwell.chart", { name: called(plotted[0].replace(/\.angle$/, ""), words) }), ...told].join("; ");
     this.#bars.title = told.join("\n");
-    write(this.#phases, told.join("; "));
+    this.#phases.replaceChildren(...told.map((one, i) => make("span", {}, [key[i], one])));
   }
 }
 

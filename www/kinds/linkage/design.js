@@ -259,8 +259,8 @@ export class DesignView {
         arc: numbers.angle(arc, 2),
         travel: words.text(angle ? "dwell.swing" : "dwell.stroke"),
         stroke: angle ? numbers.angle(stroke, 2) : words.length(numbers.short(stroke)),
-        residual: numbers.short(residual),
-        before: numbers.short(before),
+        deviation: numbers.short(100 * residual),
+        before: numbers.short(100 * before),
       }));
       if (this.#end) said.push(words.text(ENDS[this.#end]), words.text("design.checked"));
       // The margin from singular poses is 1 if no group is solved by iteration.

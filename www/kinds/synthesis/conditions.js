@@ -35,13 +35,14 @@ export class ConditionsView {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, words, state } = snapshot;
+    const { summary, words, state, withheld } = snapshot;
     const frame = radians(state.document.phi0_deg);
-    if (this.#shown.same(summary, words, this.#theme.revision)) return;
+    if (this.#shown.same(summary, words, this.#theme.revision, withheld)) return;
     this.#snapshot = snapshot;
+    const hidden = withheld.has(ANSWER);
     this.#content.replaceChildren(...summary.wanted.flatMap((one, k) => [
-      table(one, k + 1, words),
-      cone([frame, one.at, one.output, one.input], words.text(one.interval ? "cone.inside" : "cone.outside", { n: String(k + 1) })),
+      table(one, k + 1, words, hidden),
+      cone([frame, one.at, one.output, one.input], hidden ? words.text("lesson.asked") : words.text(one.interval ? "cone.inside" : "cone.outside", { n: String(k + 1) })),
     ]));
     this.#region.element.ariaLabel = words.text("region.label");
     this.#paint();
@@ -62,8 +63,9 @@ export class ConditionsView {
  * @param {Wanted} wanted
  * @param {number} k
  * @param {Words} words
+ * @param {boolean} hidden whether a lesson asks for the lengths that are positive
  */
-function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
+function table({ at, conditions, theorems, pair, ranges, interval }, k, words, hidden) {
   const { numbers } = words;
   const rows = conditions.map(({ number, about, values, holds, truth }) => row([`(${number})`, about ?? ""].join(" ").trim(), valued(number, about, values, words), [holds, truth], words));
   const left = pair ? [row(words.text("conditions.pair"), pair.values.map((value) => numbers.short(value)).join("; "), [null, pair.holds], words)] : [];
@@ -75,11 +77,14 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words) {
     make("caption", {}, [name]),
     make("thead", {}, [make("tr", {}, [make("td", { colspan: "2" }), ...heads])]),
     make("tbody", {}, [
-      ...rows, ...left, ...judged, ...between,
-      rangeRow(words.text("conditions.truth"), interval ? ends(interval[0] === interval[1] ? "conditions.single" : "conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
+      ...rows, ...left, ...(hidden ? [] : judged), ...between,
+      rangeRow(words.text("conditions.truth"), hidden ? `? (${words.text("lesson.asked")})` : interval ? ends(interval[0] === interval[1] ? "conditions.single" : "conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
     ]),
   ]);
 }
+
+/** Name under which lessons hide the lengths that are positive in fact. */
+const ANSWER = "conditions-truth";
 
 /** Keys of the texts on a theorem, by whether its conditions hold and whether its conclusion is true. */
 const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({

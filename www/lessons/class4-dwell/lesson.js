@@ -40,7 +40,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     shows: [{ preset: PRESET, play: true }],
     controls: ["band"],
     readouts: ["course-arc", "course-residual"],
-    question: { unit: "°", within: 0.5, answer: dwell },
+    question: { hides: ["course-arc"], unit: "°", within: 2, answer: dwell },
   },
   {
     id: "cyclogram",
@@ -58,7 +58,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     lends: ["cyclogram-figure"],
     controls: ["FK.length", "H.x", "H.y", "D.x", "D.y"],
     readouts: ["course-arc", "course-stroke"],
-    question: { unit: "°", within: 0.5, answer: dwell },
+    question: { hides: ["course-arc"], unit: "°", within: 0.5, answer: dwell },
   },
   {
     id: "equations",

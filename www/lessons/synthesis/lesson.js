@@ -41,7 +41,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     relations: ["000.(21)", "000.(23)"],
     shows: [{ preset: "printed", at: first }],
     controls: ["conditions"],
-    question: { within: 0.02, answer: ({ wanted: [{ interval }] }) => interval?.[1] ?? undefined },
+    question: { hides: ["conditions-truth"], within: 0.02, answer: ({ wanted: [{ interval }] }) => interval?.[1] ?? undefined },
   },
   {
     id: "choose",
@@ -57,7 +57,7 @@ export const LESSON = Object.freeze({ kind: "synthesis", steps: [
     relations: ["000.truth"],
     shows: [{ preset: "theorem", at: first }],
     controls: ["conditions"],
-    question: { choices: ["some", "none"], answer: ({ wanted: [{ interval }] }) => (interval ? "some" : "none") },
+    question: { hides: ["conditions-truth"], choices: ["some", "none"], answer: ({ wanted: [{ interval }] }) => (interval ? "some" : "none") },
   },
   {
     id: "direct",

@@ -46,9 +46,10 @@ pub(super) struct Drawn {
     /// entry i · `bodies` + j.
     names: Vec<Option<usize>>,
     bodies: usize,
-    /// Text indices of the names of the pole, the inflection pole and a centre of curvature.
-    symbols: [usize; 3],
-    traced: Vec<PointId>,
+    /// Text indices of the names of the pole and the inflection pole.
+    symbols: [usize; 2],
+    /// Points whose paths have circles of curvature, with the text index of the circle's centre.
+    traced: Vec<(PointId, usize)>,
     middle: Point,
     size: f64,
 }
@@ -67,7 +68,7 @@ impl Drawn {
             link: lines.link.or_else(|| floating(mechanism)),
             names: Vec::new(),
             bodies,
-            symbols: [0; 3],
+            symbols: [0; 2],
             traced: Vec::new(),
             middle: Point::origin(),
             size: 0.0,
@@ -75,7 +76,7 @@ impl Drawn {
         if lines.centrodes || lines.curvature {
             let pole = [BodyId::FRAME, mechanism.body_of(drawn.link)];
             let pole = centre_name(mechanism, view, pole);
-            drawn.symbols = [pole, "J".to_owned(), "K".to_owned()].map(|symbol| names.add(symbol));
+            drawn.symbols = [pole, "J".to_owned()].map(|symbol| names.add(symbol));
         }
         if lines.centres {
             for first in mechanism.bodies() {
@@ -91,7 +92,13 @@ impl Drawn {
                 let asked = layout.is_tracer(*point) || view.traced.contains(point);
                 asked && layout.moves(*point)
             });
-            drawn.traced = moving.collect();
+            let centre = |point| {
+                (
+                    point,
+                    names.add(format!("K_{}", mechanism.point_name(point))),
+                )
+            };
+            drawn.traced = moving.map(centre).collect();
         }
         drawn
     }
@@ -109,7 +116,7 @@ impl Drawn {
 
     /// Draws the curves that are fixed to the frame or to the link: evolutes and centrodes.
     pub(super) fn draw_rigid(&self, list: &mut List, motion: &Motion) {
-        for point in &self.traced {
+        for (point, _) in &self.traced {
             list.body(layout::number(None));
             for piece in Evolute::of(motion, *point).pieces {
                 for near in self.near(&piece, |at| *at) {
@@ -244,7 +251,7 @@ impl Drawn {
 
     fn circles<const N: usize>(&self, list: &mut List, posed: Posed<'_, N>, unit: f64) {
         let Posed { mechanism, pose } = posed;
-        let [pole_name, inflection_pole, centre_name] = self.symbols;
+        let [pole_name, inflection_pole] = self.symbols;
         let circles = self
             .link
             .and_then(|link| Circles::of(mechanism, pose, mechanism.body_of(Some(link))));
@@ -259,7 +266,7 @@ impl Drawn {
                 self.mark(list, circles.pole + circles.diameter, inflection_pole, unit);
             }
         }
-        for point in &self.traced {
+        for (point, name) in &self.traced {
             let place: JetPoint<N> = mechanism.place(pose, *point);
             let Some(bend) = Curvature::of(&place, self.size) else {
                 continue;
@@ -270,7 +277,7 @@ impl Drawn {
             {
                 list.circle(Role::Accent1, Look::Thin, centre, radius);
                 list.polyline(Role::Accent1, Look::Thin, &[centre, bend.at]);
-                self.mark(list, centre, centre_name, unit);
+                self.mark(list, centre, *name, unit);
             } else {
                 // A circle of very large or infinite radius is drawn as its tangent.
                 let along: Vector = bend.tangent * (MAX_DISTANCE * self.size);
@@ -286,8 +293,8 @@ impl Drawn {
 
 impl Figure {
     /// Returns the points whose circles of curvature are drawn.
-    pub fn curved(&self) -> &[PointId] {
-        &self.lines.traced
+    pub fn curved(&self) -> Vec<PointId> {
+        self.lines.traced.iter().map(|(point, _)| *point).collect()
     }
 
     /// Returns the link whose inflection circle is drawn.

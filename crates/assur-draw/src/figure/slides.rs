@@ -23,9 +23,6 @@ const BESIDE: f64 = 3.4;
 const WALL: f64 = 0.15;
 /// Number of poses from one examined pose to the next, in the search for the outer side of a guide.
 const LOOKED_AT: usize = 16;
-/// Threshold above which a mechanism counts as lying below a line. It applies to the mean offset of the joints below
-/// the line over the motion, divided by their mean distance from the start of the line.
-const ONE_SIDED: f64 = 0.3;
 
 /// A prismatic pair as it is drawn.
 #[derive(Clone, Debug)]
@@ -127,12 +124,6 @@ pub(super) fn guides(layout: &Layout, home: Posed<'_, 1>, runs: &[Run], view: &V
 /// Returns the side of a frame line that faces away from the mechanism, or the lower side if both sides have points.
 fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Point; 2]) -> Vector {
     let along = (end - start).normalize();
-    let across = Vector::new(along.y, -along.x);
-    let down = if across.y < -1e-6 || (across.y < 1e-6 && across.x < 0.0) {
-        across
-    } else {
-        -across
-    };
     let points = mechanism.point_ids();
     let points: Vec<_> = points.filter(|point| layout.is_joint(*point)).collect();
     let poses = runs.iter().flatten().step_by(LOOKED_AT);
@@ -140,10 +131,7 @@ fn outer(layout: &Layout, mechanism: &Mechanism, runs: &[Run], [start, end]: [Po
         let off = |point: &PointId| mechanism.place(pose, *point).place() - start;
         points.iter().map(off)
     });
-    let [below, far] = offs.fold([0.0, 0.0], |[below, far], off| {
-        [below + off.dot(&down), far + off.norm()]
-    });
-    if below > ONE_SIDED * far { -down } else { down }
+    parts::outer(parts::lower(along), offs)
 }
 
 /// Returns the ends of the ground line and a point at the lower edge of its hatching. None if the drawing has no ground

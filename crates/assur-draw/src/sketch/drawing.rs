@@ -13,8 +13,7 @@ impl Sketch {
             }
             if let Some([from, to]) = self.line(&slide) {
                 let along = (to - from).normalize();
-                let across = Vector::new(along.y, -along.x);
-                let down = if across.y > 0.0 { -across } else { across };
+                let down = self.outer(from, along);
                 let wall = [from - along * (5.0 * u), to + along * (5.0 * u)];
                 let wall = wall.map(|end| end + down * (BLOCK[1] * u));
                 parts::hatched(&mut self.list, wall, down, u);
@@ -25,6 +24,15 @@ impl Sketch {
                 parts::support(&mut self.list, at, 1.5 * u);
             }
         }
+    }
+
+    /// Returns the side of a frame line that faces away from the fixed pivots, or the lower side if they are on both sides.
+    /// Moving figures have the same side, but for pivots near the line.
+    pub(super) fn outer(&self, start: Point, along: Vector) -> Vector {
+        let across = parts::lower(along);
+        let pivots = self.draft.frame.iter().filter(|name| self.is_support(name));
+        let offs = pivots.filter_map(|name| Some(self.place(name)? - start));
+        parts::outer(across, offs)
     }
 
     /// Returns the ends of a slide's line, if they do not coincide.

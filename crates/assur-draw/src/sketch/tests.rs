@@ -34,6 +34,61 @@ fn links_are_found_and_told_in_colour() {
 }
 
 #[test]
+fn a_driver_changes_no_other_links_colour() {
+    let draft = LinkageSpec::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.0, 1.0)
+        .point("C", 3.0, 2.0)
+        .point("D", 4.0, 0.0)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"]);
+    let roles = |draft: &LinkageSpec| {
+        let sketch = Sketch::new(draft, &SketchView::default());
+        sketch.roles().to_vec()
+    };
+    let before = roles(&draft);
+    let driven = roles(&draft.crank("crank"));
+    assert_eq!(before[1..], driven[1..]);
+    assert_eq!([before[0], driven[0]], [Role::Accent4, Role::Crank]);
+}
+
+#[test]
+fn a_given_unit_keeps_the_size_of_symbols() {
+    let view = SketchView {
+        symbol: Some(0.07),
+        ..SketchView::default()
+    };
+    let near = LinkageSpec::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 1.0, 0.0);
+    let far = near.clone().point("C", 40.0, 30.0);
+    for draft in [LinkageSpec::default(), near, far] {
+        assert_eq!(Sketch::new(&draft, &view).unit, 0.07);
+    }
+}
+
+#[test]
+fn the_hatching_of_a_guide_is_away_from_the_pivots() {
+    for (height, down) in [(-1.0, -1.0), (1.0, 1.0), (0.0, -1.0)] {
+        let draft = LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 0.5, 0.5)
+            .point("C", 4.0, height)
+            .point("G", 3.0, height)
+            .point("H", 6.0, height)
+            .fixed(&["A", "G", "H"])
+            .bar("crank", &["A", "B"])
+            .bar("block", &["C"])
+            .slide("block", "C", FRAME, ["G", "H"]);
+        let sketch = Sketch::new(&draft, &SketchView::default());
+        let side = sketch.outer(Point::new(3.0, height), Vector::x());
+        assert_eq!(side.y, down, "{height}");
+    }
+}
+
+#[test]
 fn damaged_drafts_are_drawn_without_what_is_not_there() {
     let draft = LinkageSpec::default()
         .point("A", 1.0, 1.0)

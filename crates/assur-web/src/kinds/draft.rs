@@ -77,6 +77,7 @@ impl Drawing {
                 Some(LengthUnit::Cm) => 2.0,
                 _ => 1.0,
             },
+            symbol: state.view.symbol,
         };
         Ok(Self {
             sketch: Sketch::new(&document.spec(), &view),
