@@ -8,7 +8,9 @@ setMaxListeners(0, view);
 
 globalThis.addEventListener = view.addEventListener.bind(view);
 globalThis.Node = class Node {};
-globalThis.HTMLInputElement = class HTMLInputElement {
+globalThis.HTMLElement = class HTMLElement {};
+globalThis.HTMLTextAreaElement = class HTMLTextAreaElement extends HTMLElement {};
+globalThis.HTMLInputElement = class HTMLInputElement extends HTMLElement {
   type = "text";
 };
 
