@@ -1,5 +1,6 @@
 // Templates: parts of the page that are written again whenever their data change. `render` changes only what differs, so the focus, what is
-// typed, selected or unfolded, and the place of a scrolled area stay as they are.
+// typed, selected or unfolded, and the place of a scrolled area stay as they are. An element that is rendered into is written by nothing
+// else. Styles are given as the property `.style`, because the security policy of a hosted page forbids the attribute.
 /*! The script contains lit-html, https://lit.dev
 Copyright (c) 2017 Google LLC. All rights reserved.
 
