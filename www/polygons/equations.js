@@ -31,7 +31,7 @@ export function describeStep(step, done, units, words) {
     const value = amount(found.rates[order], units[order], words);
     return html`<p data-point=${found.name} data-order=${order + 1} data-value=${found.rates[order]}>${letter(order, "", found.name)} = ${value}</p>`;
   }));
-  if (step.kind === "group" || step.kind === "image") return html`<p>${words.text(`polygons.${step.kind}`, { n: names })}</p>${values}`;
+  if (step.kind === "group" || step.kind === "image") return html`<p>${words.text(step.kind === "group" ? "polygons.group" : "polygons.image", { n: names })}</p>${values}`;
   const equations = step.legs.map((legs, order) => html`<p>${equation(step, legs, order)}</p>
     <p class="addends">${legs.map((leg, k) => html`${k > 0 ? "; " : ""}${addend(step, leg, order, done, units[order], words)}`)}</p>`);
   return html`${equations}${done ? values : nothing}`;
