@@ -1,118 +1,31 @@
-// A document of elements that can be put together and read again: no styles, no layout.
+// A document without styles and layout: the elements of the page itself, by happy-dom.
 import "assur/tests/window.js";
+import { readFileSync } from "node:fs";
+import { Window } from "happy-dom";
 
-globalThis.Node = class Node extends EventTarget {};
+const PAGE = readFileSync(new URL("../../www/index.html", import.meta.url), "utf8");
 
-globalThis.HTMLElement = class HTMLElement extends Node {
-  children = [];
-  attributes = {};
-  dataset = {};
-  style = { setProperty() {} };
-  classList = new Set();
-  hidden = false;
-  title = "";
+const { window } = new Window();
+const GIVEN = ["Comment", "CSS", "DOMParser", "Event", "EventTarget", "MutationObserver", "Node", "getComputedStyle", "localStorage", "matchMedia"];
+const names = [...GIVEN, ...Object.getOwnPropertyNames(window).filter((name) => /^HTML\w*Element$/.test(name))];
+for (const name of names) globalThis[name] = window[name];
+globalThis.document = window.document;
 
-  constructor(tag = "") {
-    super();
-    this.tagName = tag.toUpperCase();
-  }
+/** Empties the page: the elements of `index.html`, as before any script. */
+export function clear() {
+  const [, body] = /<body[^>]*>([^]*)<\/body>/.exec(PAGE);
+  window.document.body.innerHTML = body.replaceAll(/<script[^]*?<\/script>/g, "");
+}
+clear();
 
-  get textContent() {
-    return this.children.map((child) => (typeof child === "string" ? child : child.textContent)).join("");
-  }
-
-  set textContent(text) {
-    this.children = [text];
-  }
-
-  setAttribute(name, value) {
-    this.attributes[name] = value;
-  }
-
-  getAttribute(name) {
-    return this.attributes[name] ?? null;
-  }
-
-  removeAttribute(name) {
-    delete this.attributes[name];
-  }
-
-  append(...children) {
-    this.children.push(...children);
-  }
-
-  prepend(...children) {
-    this.children.unshift(...children);
-  }
-
-  replaceChildren(...children) {
-    this.children = children;
-  }
-
-  /** What is put before others is noted. */
-  before(...sections) {
-    document.sections.push(...sections);
-  }
-
-  remove() {}
-
-  /** @param {string} tag */
-  querySelector(tag) {
-    return this.all.find(({ tagName }) => tagName === tag.toUpperCase()) ?? null;
-  }
-
-  get ownerDocument() {
-    return document;
-  }
-
-  contains(element) {
-    return element === this || this.all.includes(element);
-  }
-
-  /** @param {string} selector of an attribute: `[data-t]` */
-  querySelectorAll(selector) {
-    return this.all.filter(({ attributes }) => selector.slice(1, -1) in attributes);
-  }
-
-  /** @returns {HTMLElement[]} what is in it, in the order of the document */
-  get all() {
-    return this.children.flatMap((child) => (typeof child === "string" ? [] : [child, ...child.all]));
-  }
-};
-
-/** Those that are found by an id, made when they are first asked for; those that are no plain ones are put there. */
-export const found = new Map();
-
-/** A style sheet is there as soon as it is asked for. */
-class Head extends HTMLElement {
-  append(sheet) {
-    sheet.onload?.();
-  }
+/**
+ * @param {ParentNode} root
+ * @param {string} [selector]
+ * @returns {HTMLElement[]} elements in it that match the selector, by default all, in the order of the document
+ */
+export function all(root, selector = "*") {
+  return [...root.querySelectorAll(selector)];
 }
 
-/** A parsed picture is an element that holds its text. */
-globalThis.DOMParser = class DOMParser {
-  parseFromString(text) {
-    const documentElement = new HTMLElement("svg");
-    documentElement.textContent = text;
-    return { documentElement };
-  }
-};
-globalThis.HTMLTableElement = class HTMLTableElement extends HTMLElement {
-  tHead = new HTMLElement("thead");
-  tBodies = [new HTMLElement("tbody")];
-  children = [this.tHead, ...this.tBodies];
-};
-globalThis.HTMLCanvasElement = class HTMLCanvasElement extends HTMLElement {};
-globalThis.getComputedStyle = () => ({ getPropertyValue: () => "", fontFamily: "sans-serif", fontSize: "14px" });
-globalThis.matchMedia = () => new EventTarget();
-
-globalThis.document = Object.assign(new EventTarget(), {
-  createElement: (tag) => new HTMLElement(tag),
-  sections: [],
-  body: new HTMLElement("body"),
-  head: new Head("head"),
-  createElementNS: (_, tag) => new HTMLElement(tag),
-  querySelectorAll: () => [],
-  getElementById: (id) => found.get(id) ?? found.set(id, new HTMLElement()).get(id),
-});
+/** A style sheet is there as soon as it is asked for. */
+window.document.head.append = (sheet) => sheet.onload?.();

@@ -1,6 +1,6 @@
 // A worksheet that is printed of a page on which nothing is drawn.
 import { Context } from "assur/tests/canvas.js";
-import { found } from "assur/tests/document.js";
+import "assur/tests/document.js";
 import { printWorksheets } from "assur/export/worksheet.js";
 import { happen } from "assur/tests/window.js";
 
@@ -9,8 +9,6 @@ globalThis.OffscreenCanvas = class OffscreenCanvas {
     return Object.assign(new Context(), { getImageData: () => ({ data: [0, 0, 0, 255] }) });
   }
 };
-
-for (const id of ["mechanism", "charts"]) found.set(id, new HTMLCanvasElement());
 
 /**
  * @param {import("assur/tests/page.js").Page} page
@@ -31,8 +29,7 @@ export function sheetOf(page, steps = [], pose = () => {}) {
       return make();
     },
   });
-  globalThis.document.body.replaceChildren();
   printWorksheets(page);
   happen("beforeprint");
-  return globalThis.document.body.children.at(-1);
+  return globalThis.document.body.lastElementChild;
 }

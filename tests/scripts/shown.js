@@ -1,5 +1,5 @@
 // What the page shows of a mechanism: its read-outs, by the views of the page.
-import { found } from "assur/tests/document.js";
+import { clear } from "assur/tests/document.js";
 import { StatusLine } from "assur/controls/status.js";
 import { ENTRIES as TRAIN } from "assur/kinds/gear-train/status.js";
 import { CourseView } from "assur/kinds/linkage/course.js";
@@ -29,15 +29,12 @@ export function snapshotOf(engine, state, words = wordsOf(state.view.lang)) {
 /** The views of read-outs, on a page of their own with nothing else. */
 export class Views {
   shown = new Shown();
-  table = new HTMLTableElement();
-  status = new HTMLElement("dl");
-
   /**
    * @param {import("assur/engine.js").Engine} engine
    * @param {string} kind of the documents
    */
   constructor(engine, kind) {
-    found.set("readouts", this.table).set("status", this.status);
+    clear();
     const page = { engine, shown: this.shown, model: { kind }, drafts: new Drafts(() => {}) };
     this.all = [new StatusLine(kind, ENTRIES[kind], page)];
     if (kind === "linkage") this.all.unshift(new CourseView(page));

@@ -1,12 +1,16 @@
 // The part of a browser's window that scripts need without a page: events and the classes of controls.
 import { setMaxListeners } from "node:events";
 
+/** Events of Node, also where a test has a document with events of its own. */
+const { Event } = globalThis;
 const view = new EventTarget();
 setMaxListeners(0, view);
 
 globalThis.addEventListener = view.addEventListener.bind(view);
 globalThis.Node = class Node {};
-globalThis.HTMLInputElement = class HTMLInputElement {
+globalThis.HTMLElement = class HTMLElement {};
+globalThis.HTMLTextAreaElement = class HTMLTextAreaElement extends HTMLElement {};
+globalThis.HTMLInputElement = class HTMLInputElement extends HTMLElement {
   type = "text";
 };
 

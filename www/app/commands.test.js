@@ -12,7 +12,7 @@ import { wordsOf } from "assur/tests/words.js";
 globalThis.HTMLDialogElement = class HTMLDialogElement {};
 const dialog = Object.assign(new HTMLDialogElement(), { opened: 0, showModal: () => void (dialog.opened += 1) });
 const field = () => Object.assign(new HTMLInputElement(), { addEventListener() {}, select() {} });
-globalThis.document = { getElementById: (id) => (id === "link" ? dialog : field()) };
+globalThis.document = { getElementById: (id) => (id === "link" ? dialog : field()), createTreeWalker() {} };
 globalThis.location = { href: "https://assur.test/" };
 globalThis.history = { replaceState() {} };
 const clipboard = { text: "", writeText: async (text) => void (clipboard.text = text) };

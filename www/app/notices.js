@@ -1,6 +1,7 @@
 // Notices on shared URLs, files and parts of the page: sentences shown until the reader closes them; what was done, some seconds.
 import { lossOf, sentence } from "assur/controls/problems.js";
-import { byId, make } from "assur/core/dom.js";
+import { byId } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 
 /**
  * @typedef {import("assur/app/opening.js").Failure} Failure
@@ -70,7 +71,7 @@ export class Notices {
     const lines = this.#told.map((one) => lineOf(one, words));
     this.#container.hidden = lines.length === 0;
     this.#container.classList.toggle("good", this.#told.every((one) => isDone(one) || one.kind === "import"));
-    this.#text.replaceChildren(...lines.map((line) => make("p", {}, [line])));
+    render(lines.map((line) => html`<p>${line}</p>`), this.#text);
   }
 }
 

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test, { beforeEach } from "node:test";
+import "assur/tests/document.js";
 import { lineOf } from "assur/app/notices.js";
 import { open, takeAddress, takeFile } from "assur/app/opening.js";
 import { toAddress, toFile } from "assur/state/codec.js";

@@ -1,5 +1,6 @@
 // Content dropped on the page or pasted into it: files, and URLs or texts of other programs.
 import { isForeign, takeFile, takeForeign } from "assur/app/opening.js";
+import { isTyped } from "assur/core/typed.js";
 
 /** @typedef {import("assur/app/page.js").Page} Page */
 
@@ -10,14 +11,14 @@ const TYPES = Object.freeze(["Files", "text/uri-list", "text/plain"]);
 export function receive(page) {
   addEventListener("paste", (event) => {
     // A field keeps what is pasted into it.
-    if (event.defaultPrevented || writes(event.target) || document.querySelector("dialog[open]")) return;
+    if (event.defaultPrevented || isTyped(event.target) || document.querySelector("dialog[open]")) return;
     if (bring(event.clipboardData, page, false)) event.preventDefault();
   });
   addEventListener("dragover", (event) => {
-    if (!writes(event.target) && event.dataTransfer?.types.some((type) => TYPES.includes(type))) event.preventDefault();
+    if (!isTyped(event.target) && event.dataTransfer?.types.some((type) => TYPES.includes(type))) event.preventDefault();
   });
   addEventListener("drop", (event) => {
-    if (event.defaultPrevented || writes(event.target)) return;
+    if (event.defaultPrevented || isTyped(event.target)) return;
     if (bring(event.dataTransfer, page, true)) event.preventDefault();
   });
 }
@@ -40,13 +41,4 @@ function bring(data, page, meant) {
   if (text === "" || !(meant || isForeign(text, engine))) return false;
   page.take(takeForeign(text, null, engine, habits));
   return true;
-}
-
-/**
- * @param {EventTarget | null} target
- * @returns {boolean} whether the target takes text
- */
-function writes(target) {
-  if (target instanceof HTMLInputElement) return !["range", "radio", "checkbox", "button"].includes(target.type);
-  return target instanceof HTMLTextAreaElement || (target instanceof HTMLElement && target.isContentEditable);
 }

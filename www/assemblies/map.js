@@ -1,5 +1,6 @@
 // Map of all branches: the output plotted against the input, with folds, crossings and the current assemblies.
 import { makeSvg } from "assur/core/dom.js";
+import { render, svg } from "assur/core/html.js";
 
 /** @typedef {{ input: number, shown: number | null, angles: readonly number[] }} Now */
 
@@ -42,20 +43,15 @@ export class BranchMap {
    */
   draw(map, { turns, range, input, output, numbers }) {
     [this.#from, this.#to] = turns ? [0, TURN] : range;
-    this.#scale.replaceChildren(...this.#scales(turns, input, output, numbers));
-    const lines = map.branches.map(({ circuit, pieces }, branch) => {
-      const line = makeSvg("path", { d: pieces.map((piece) => this.#path(piece)).join(" "), "data-branch": String(branch), "data-circuit": String(circuit) });
-      line.style.stroke = colour(circuit);
-      return line;
-    });
+    render(this.#scales(turns, input, output, numbers), this.#scale);
+    const lines = map.branches.map(({ circuit, pieces }, branch) =>
+      svg`<path d=${pieces.map((piece) => this.#path(piece)).join(" ")} data-branch=${branch} data-circuit=${circuit} .style=${`stroke: ${colour(circuit)}`}></path>`);
     const meetings = map.meetings.map(({ kind, branches, input: at, output: angle }) => {
       const [x, y] = this.#onMap(at, angle);
-      const dot = makeSvg("circle", { cx: x, cy: y, r: "4", class: kind });
-      dot.style.stroke = colour(map.branches[branches[0]].circuit);
-      if (kind === "fold") dot.style.fill = dot.style.stroke;
-      return dot;
+      const own = colour(map.branches[branches[0]].circuit);
+      return svg`<circle cx=${x} cy=${y} r="4" class=${kind} .style=${`stroke: ${own}${kind === "fold" ? `; fill: ${own}` : ""}`}></circle>`;
     });
-    this.#branches.replaceChildren(...lines, ...meetings);
+    render([lines, meetings], this.#branches);
   }
 
   /**
@@ -66,9 +62,8 @@ export class BranchMap {
     for (const line of this.#branches.querySelectorAll("path")) line.classList.toggle("shown", branch !== null && line.getAttribute("data-branch") === String(branch));
     const along = this.#to - this.#from === TURN ? ((input % TURN) + TURN) % TURN : input;
     const [x] = this.#onMap(along, 0);
-    const line = makeSvg("line", { x1: x, x2: x, y1: TOP, y2: TOP + SIZE, class: "map-now" });
-    const dots = angles.map((angle, k) => makeSvg("circle", { cx: x, cy: this.#onMap(along, angle)[1], r: k === shown ? "6" : "3.5", class: k === shown ? "map-shown" : "map-other" }));
-    this.#now.replaceChildren(line, ...dots);
+    render(svg`<line x1=${x} x2=${x} y1=${TOP} y2=${TOP + SIZE} class="map-now"></line>${angles.map((angle, k) =>
+      svg`<circle cx=${x} cy=${this.#onMap(along, angle)[1]} r=${k === shown ? 6 : 3.5} class=${k === shown ? "map-shown" : "map-other"}></circle>`)}`, this.#now);
   }
 
   /** @param {readonly number[]} piece */
@@ -95,16 +90,14 @@ export class BranchMap {
    * @param {import("assur/core/numbers.js").Numbers} numbers
    */
   #scales(turns, input, output, numbers) {
-    /** @type {SVGElement[]} */
-    const parts = [makeSvg("rect", { x: LEFT, y: TOP, width: SIZE, height: SIZE })];
-    const text = (/** @type {string} */ said, /** @type {number} */ x, /** @type {number} */ y, anchor = "middle") => {
-      parts.push(makeSvg("text", { x, y, "text-anchor": anchor }, [said]));
-    };
+    const parts = [svg`<rect x=${LEFT} y=${TOP} width=${SIZE} height=${SIZE}></rect>`];
+    const line = (/** @type {number} */ x1, /** @type {number} */ x2, /** @type {number} */ y1, /** @type {number} */ y2) => parts.push(svg`<line x1=${x1} x2=${x2} y1=${y1} y2=${y2}></line>`);
+    const text = (/** @type {string} */ said, /** @type {number} */ x, /** @type {number} */ y, anchor = "middle") => parts.push(svg`<text x=${x} y=${y} text-anchor=${anchor}>${said}</text>`);
     for (let quarter = 0; quarter <= 4; quarter++) {
       const at = TOP + SIZE * (1 - quarter / 4);
       const left = LEFT + (SIZE * quarter) / 4;
-      parts.push(makeSvg("line", { x1: LEFT, x2: LEFT + SIZE, y1: at, y2: at }));
-      parts.push(makeSvg("line", { x1: left, x2: left, y1: TOP, y2: TOP + SIZE }));
+      line(LEFT, LEFT + SIZE, at, at);
+      line(left, left, TOP, TOP + SIZE);
       // At three quarters of each scale, the name of the axis stands in place of a number.
       const up = quarter === 3 ? output : `${90 * quarter}°`;
       const value = this.#from + ((this.#to - this.#from) * quarter) / 4;

@@ -5,6 +5,7 @@ import { BranchMap } from "assur/assemblies/map.js";
 import { Motions } from "assur/assemblies/motions.js";
 import { Transform } from "assur/canvas/transform.js";
 import { byId, make, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { attempt } from "assur/core/problem.js";
 import { subscript, symbol } from "assur/core/symbols.js";
 import { Figure } from "assur/stage/figure.js";
@@ -30,8 +31,6 @@ export class Assemblies {
   #where = make("p", { id: "assembly-where", role: "status" });
   #reach = make("ul", { id: "assembly-reach" });
   #mapped = make("p", { id: "assembly-mapped" });
-  /** @type {{ button: HTMLButtonElement, canvas: HTMLCanvasElement, name: HTMLElement }[]} */
-  #buttons = [];
   /** @type {Here | null} */
   #here = null;
   /** @type {Snapshot | null} */
@@ -97,25 +96,11 @@ export class Assemblies {
    * @param {Snapshot} snapshot
    */
   #show({ all, shown }, { words }) {
-    while (this.#buttons.length < all.length) this.#add();
-    this.#buttons.forEach(({ button, name }, k) => {
-      button.hidden = k >= all.length;
-      if (button.hidden) return;
-      button.setAttribute("aria-pressed", String(k === shown));
-      const number = words.numbers.exact(all[k].number);
-      write(name, number);
-      const label = words.text("assemblies.name", { number });
-      if (button.getAttribute("aria-label") !== label) button.setAttribute("aria-label", label);
-    });
-  }
-
-  #add() {
-    const canvas = make("canvas", { "aria-hidden": "true" });
-    const name = make("span");
-    const number = this.#buttons.length;
-    const button = make("button", { type: "button", class: "control", id: `assembly-${number + 1}-picture`, onclick: () => this.#follow(number) }, [canvas, name]);
-    this.#buttons.push({ button, canvas, name });
-    this.#pictures.append(button);
+    render(all.map((one, k) => {
+      const number = words.numbers.exact(one.number);
+      return html`<button type="button" class="control" id="assembly-${k + 1}-picture" aria-pressed=${k === shown}
+        aria-label=${words.text("assemblies.name", { number })} @click=${() => this.#follow(k)}><canvas aria-hidden="true"></canvas><span>${number}</span></button>`;
+    }), this.#pictures);
   }
 
   /**
@@ -126,8 +111,8 @@ export class Assemblies {
     if (this.#revision !== snapshot.revision) this.#bounds = [...snapshot.summary.bounds];
     this.#revision = snapshot.revision;
     for (const { bodies } of all) this.#hold(bodies);
-    all.forEach(({ bodies }, k) => {
-      const { canvas } = this.#buttons[k];
+    this.#pictures.querySelectorAll("canvas").forEach((canvas, k) => {
+      const { bodies } = all[k];
       const { clientWidth: width, clientHeight: height } = canvas;
       const context = canvas.getContext("2d");
       if (!context || width === 0) return;
@@ -183,7 +168,7 @@ export class Assemblies {
       group.push(numbers.exact(all[k].number));
     });
     const said = Object.entries(groups).flatMap(([group, of]) => (of.length > 0 ? [words.text(REACH[/** @type {keyof typeof REACH} */ (group)], { n: of.join(", ") })] : []));
-    if (this.#reach.textContent !== said.join("")) this.#reach.replaceChildren(...said.map((one) => make("li", {}, [one])));
+    render(said.map((one) => html`<li>${one}</li>`), this.#reach);
   }
 
   /**

@@ -1,6 +1,7 @@
 // Choice of two links: the link whose instant centre, centrodes and circles are drawn, and the link relative to which
 // that instant centre is constructed. Shown if one of these overlays is on.
-import { byId, make } from "assur/core/dom.js";
+import { byId } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { withView } from "assur/state/state.js";
@@ -35,10 +36,10 @@ export class AboutLink {
     // Centrodes and circles are always those of the motion relative to the frame.
     this.#against.hidden = !view.instant_centres;
     const anew = !this.#built.same(links, words);
-    const entry = (/** @type {string} */ value, /** @type {string} */ text) => make("option", { value }, [text]);
+    const entry = (/** @type {string} */ value, /** @type {string} */ text) => html`<option value=${value}>${text}</option>`;
     for (const choice of CHOICES) {
       const select = this.#selects[choice];
-      if (anew) select.replaceChildren(entry("", words.text(FIRST[choice])), ...links.map((link) => entry(link, called(link, words))));
+      if (anew) render([entry("", words.text(FIRST[choice])), ...links.map((link) => entry(link, called(link, words)))], select);
       // If the mechanism lacks the chosen link, the first entry is shown.
       const value = links.includes(view[choice]) ? view[choice] : "";
       if (select.value !== value) select.value = value;

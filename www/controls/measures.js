@@ -1,5 +1,6 @@
 // Measures: distances and angles between points or links, chosen in lists or by presses on the drawing.
 import { byId, make, setData, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { partsOf } from "assur/core/quantity.js";
@@ -86,11 +87,10 @@ export class Measures {
     const { measures } = state.view;
     if (this.#shown.same(measures.join("\n"), words)) return;
     const focused = this.#list.contains(document.activeElement);
-    this.#list.replaceChildren(...measures.map((name, index) => this.#row(name, index, words)));
-    words.fill(this.#section);
+    render(measures.map((name, index) => this.#row(name, index, words)), this.#list);
     this.#choose();
     // If a button with the focus disappears, another control gets the focus.
-    if (focused) (this.#list.querySelector("button") ?? this.#what).focus();
+    if (focused && !this.#list.contains(document.activeElement)) (this.#list.querySelector("button") ?? this.#what).focus();
   }
 
   /**
@@ -102,12 +102,9 @@ export class Measures {
     const { of, what } = partsOf(name);
     const [letter, role] = what === "distance" ? ["d", "accent3"] : ["θ", "accent4"];
     const parts = calledWhole(of, what, words);
-    const remove = make("button", {
-      id: `measure-remove-${index}`, class: "control icon", type: "button",
-      "data-t-label": "measure.remove", "data-t-title": "measure.remove", "data-n": `${letter} ${parts}`,
-      onclick: () => this.#page.store.update((state) => without(state, name)),
-    }, ["×"]);
-    return make("div", { class: "row choosing", style: `--accent: var(--role-${role})` }, [make("span", { class: "name" }, [make("b", {}, [letter])]), make("span", {}, [parts]), remove]);
+    const remove = words.text("measure.remove", { n: `${letter} ${parts}` });
+    return html`<div class="row choosing" .style=${`--accent: var(--role-${role})`}><span class="name"><b>${letter}</b></span><span>${parts}</span>
+      <button id="measure-remove-${index}" class="control icon" type="button" aria-label=${remove} title=${remove} @click=${() => this.#page.store.update((state) => without(state, name))}>×</button></div>`;
   }
 
   /**
@@ -130,7 +127,7 @@ export class Measures {
     const spelled = (/** @type {string} */ part) => (links ? called(part, words) : subscript(part));
     this.#parts.forEach((select, n) => {
       const before = select.value;
-      select.replaceChildren(...offered.map((part) => make("option", { value: part }, [spelled(part)])));
+      render(offered.map((part) => html`<option value=${part}>${spelled(part)}</option>`), select);
       select.value = before;
       if (select.selectedIndex < 0) select.selectedIndex = Math.min(n, offered.length - 1);
       select.dataset.tLabel = links ? "measure.link" : "measure.point";

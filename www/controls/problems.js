@@ -1,6 +1,7 @@
 // Sentences for the problems that the engine reports.
 import { degrees } from "assur/core/angles.js";
-import { byId, make, setData } from "assur/core/dom.js";
+import { byId, setData } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
 
 /**
@@ -162,6 +163,6 @@ export class ProblemView {
     const shown = sentences.join("\n");
     if (shown === this.#shown) return;
     this.#shown = shown;
-    this.#container.replaceChildren(...sentences.map((text) => make("p", {}, [text])));
+    render(sentences.map((text) => html`<p>${text}</p>`), this.#container);
   }
 }

@@ -1,20 +1,28 @@
-// Writing of a read-out into the page.
-import { make, setData, write } from "assur/core/dom.js";
+// Templates of read-outs.
+import { html, nothing } from "assur/core/html.js";
 
 /**
- * @param {HTMLElement} output
- * @param {Pick<import("assur/controls/shown.js").Cell, "text" | "value" | "asked">} cell
+ * @typedef {import("assur/controls/shown.js").Cell} Cell
+ * @typedef {Cell & Readonly<{ at?: readonly [number, number], why?: boolean }>} TableCell
+ * `at`: coordinates in the text. `why`: whether the text is the reason for a missing value
  */
-export function writeReadout(output, { text, value, asked }) {
-  if (asked !== undefined && output.dataset.asked === asked) return;
-  if (asked !== undefined) {
-    output.dataset.asked = asked;
-    output.replaceChildren(text, make("span", { class: "unseen" }, [` ${asked}`]));
-  } else {
-    delete output.dataset.asked;
-    if (output.childElementCount === 0) write(output, text);
-    else output.replaceChildren(text);
-  }
-  if (value === undefined) delete output.dataset.value;
-  else setData(output, "value", String(value));
+
+/** Number of columns of a cell that spans them all. */
+const WIDE = 3;
+
+/**
+ * @param {Pick<Cell, "text" | "asked">} cell
+ * @returns its text
+ */
+export function readoutText({ text, asked }) {
+  return asked === undefined ? text : html`${text}<span class="unseen"> ${asked}</span>`;
+}
+
+/**
+ * @param {TableCell} cell
+ * @returns a cell of a table
+ */
+export function readoutCell(cell) {
+  const { id, wide, value, asked, at, why } = cell;
+  return html`<td id=${id || nothing} class=${why ? "why" : nothing} colspan=${wide ? WIDE : nothing} data-value=${value ?? nothing} data-asked=${asked ?? nothing} data-x=${at?.[0] ?? nothing} data-y=${at?.[1] ?? nothing}>${readoutText(cell)}</td>`;
 }

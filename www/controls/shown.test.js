@@ -1,5 +1,5 @@
 // Read-outs as data: tables, status line, a step of a lesson and the worksheet show the same; what a lesson asks for is shown by none of them.
-import "assur/tests/document.js";
+import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
 import { degrees } from "assur/core/angles.js";
@@ -13,11 +13,6 @@ import { Page } from "assur/tests/page.js";
 import { sheetOf } from "assur/tests/sheet.js";
 import { Views } from "assur/tests/shown.js";
 
-globalThis.MutationObserver = class MutationObserver {
-  observe() {}
-  disconnect() {}
-};
-
 /** Mechanisms of the catalogue with their views. */
 const CASES = [
   ["mixer-a", { phi_deg: 62 }], ["mixer-a", { axes: "physical", omega: 2, lang: "ru" }], ["crank-rocker", { measures: ["B-D.distance", "coupler-rocker.between"] }],
@@ -29,7 +24,6 @@ const CASES = [
 function open(id, view = {}) {
   const page = new Page(id, view);
   const snapshot = page.now();
-  globalThis.document.sections.length = 0;
   const views = new Views(page.engine, snapshot.kind);
   page.shown = views.shown;
   return { page, snapshot, views };
@@ -41,27 +35,23 @@ function asked({ views, snapshot }, withheld) {
 }
 
 /** Texts and numbers of read-outs in the page itself, by the ids of their elements. */
-function written({ table, status }) {
-  const folds = ["show", "structure"].map((fold) => globalThis.document.getElementById(`fold-${fold}`));
-  const roots = [table, status, ...globalThis.document.sections, ...folds];
-  const outputs = roots.flatMap((root) => root.all).filter(({ attributes }) => attributes.id);
-  return new Map(outputs.map((output) => [output.attributes.id, output]));
+function written() {
+  return new Map(all(globalThis.document, "[id]").map((output) => [output.id, output]));
 }
 
 /** What a step of a lesson shows of read-outs: titles, texts and numbers. */
 function inStep(views, names) {
   const tools = new Tools(views.shown);
   tools.show({ readouts: names }, () => ({}));
-  const entries = tools.element.all.filter(({ tagName }) => tagName === "DD");
-  const found = tools.element.all.filter(({ children }) => entries.includes(children[2]));
+  const found = all(tools.element, "dl > div");
   tools.close();
-  return found.map(({ children: [title, , value], hidden }) => (hidden ? null : [title.textContent, value.textContent, value.dataset.value]));
+  return found.map(({ children: [title, value], hidden }) => (hidden ? null : [title.textContent, value.textContent, value.dataset.value]));
 }
 
 /** Rows of the table and lines of the status line on a worksheet. */
 function onPaper(page) {
-  const texts = (tag) => sheetOf(page).all.filter(({ tagName }) => tagName === tag).map(({ children, textContent }) => (tag === "TR" ? children.map((cell) => cell.textContent) : textContent));
-  return { rows: texts("TR"), lines: texts("P") };
+  const sheet = sheetOf(page);
+  return { rows: all(sheet, "tr").map(({ children }) => [...children].map((cell) => cell.textContent)), lines: all(sheet, "p").map(({ textContent }) => textContent) };
 }
 
 for (const [id, view] of CASES) {
@@ -70,7 +60,7 @@ for (const [id, view] of CASES) {
     const { shown, cells } = views.render(snapshot);
     assert.ok(cells.length > 3);
     assert.equal(new Set(cells.map(({ id: one }) => one)).size, cells.length);
-    const outputs = written(views);
+    const outputs = written();
     const step = inStep(views, cells.map(({ id: one }) => one.replace(/^out-/, "")));
     for (const [i, cell] of cells.entries()) {
       const output = outputs.get(cell.id);
@@ -133,7 +123,7 @@ for (const [id, view, expected] of [
     for (const [quantity, names] of Object.entries(expected)) {
       const withheld = [quantity];
       assert.deepEqual(asked({ views, snapshot }, withheld), names, quantity);
-      const outputs = written(views);
+      const outputs = written();
       const step = inStep(views, names);
       const { rows, lines } = onPaper(page);
       for (const [i, name] of names.entries()) {

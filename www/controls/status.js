@@ -1,9 +1,10 @@
 // The status line: kind and properties of the mechanism, one entry for each.
-import { writeReadout } from "assur/controls/readout.js";
-import { cellOf, idOfOutput } from "assur/controls/shown.js";
-import { byId, make, setData, write } from "assur/core/dom.js";
+import { readoutText } from "assur/controls/readout.js";
+import { cellOf } from "assur/controls/shown.js";
+import { byId, setData } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 
-/** @typedef {{ text: string, value?: number, nodes?: readonly (Node | string)[] }} Said content of an entry. `nodes`: the text with marks */
+/** @typedef {{ text: string, value?: number, marked?: unknown }} Said content of an entry. `marked`: template of the text with its marks */
 
 /** @typedef {{ words: import("assur/core/words.js").Words, revision: number, stale: boolean, withheld: ReadonlySet<string>, coordinate: import("assur/state/coordinate.js").Coordinate }} Needed */
 
@@ -21,7 +22,9 @@ const MOMENT = 150;
 /** @template {Needed} S */
 export class StatusLine {
   #list = byId("status", HTMLElement);
-  /** @type {{ item: Item<S>, said: Said | null, entry: HTMLElement, heading: HTMLElement, output: HTMLElement }[]} */
+  /** The end of the entries; those of other kinds of documents follow. */
+  #end = document.createTextNode("");
+  /** @type {{ item: Item<S>, said: Said | null }[]} */
   #entries;
   #kind;
   #page;
@@ -39,13 +42,8 @@ export class StatusLine {
   constructor(kind, items, page) {
     this.#kind = kind;
     this.#page = page;
-    this.#entries = items.map((item) => {
-      const heading = make("dt");
-      const output = make("dd", { id: idOfOutput(item.name) });
-      const entry = make("div", { class: `entry ${item.class ?? ""}`.trim(), "data-of": kind }, [heading, " ", output, " "]);
-      this.#list.append(entry);
-      return { item, said: null, entry, heading, output };
-    });
+    this.#list.append(this.#end);
+    this.#entries = items.map((item) => ({ item, said: null }));
   }
 
   /** @param {S} snapshot */
@@ -69,20 +67,19 @@ export class StatusLine {
    */
   #write(late, snapshot) {
     const { words, coordinate } = snapshot;
+    /** @type {import("assur/controls/shown.js").Row[]} */
     const rows = [];
-    for (const one of this.#entries) {
-      const { item: { name, title: key, n = coordinate.symbol, reveals, late: slow = false, say }, entry, heading, output } = one;
+    const entries = this.#entries.map((one) => {
+      const { name, title: key, n = coordinate.symbol, reveals, late: slow = false, say, class: tone = "" } = one.item;
       if (slow === late) one.said = say(snapshot);
-      const { text = "", value, nodes } = one.said ?? {};
+      const { text = "", value, marked } = one.said ?? {};
       const title = words.text(key, { n });
       /** @type {import("assur/controls/shown.js").Cell} */
       const cell = cellOf(name, { title, text, value }, snapshot, reveals);
-      entry.hidden = text === "";
-      write(heading, title);
-      writeReadout(output, cell);
-      if (nodes && !cell.asked) output.replaceChildren(...nodes);
       if (text !== "") rows.push({ title, cells: [cell] });
-    }
+      return html`<div class="entry ${tone}" data-of=${this.#kind} ?hidden=${text === ""}><dt>${title}</dt> <dd id=${cell.id} data-value=${cell.value ?? nothing} data-asked=${cell.asked ?? nothing}>${(!cell.asked && marked) || readoutText(cell)}</dd> </div>`;
+    });
+    render(entries, this.#list, { renderBefore: this.#end });
     // Late entries may come after a document of another kind.
     if (this.#page.model.kind === this.#kind) this.#page.shown.put("status", rows);
   }

@@ -1,7 +1,8 @@
 // The bottom bar: play and pause, direction, steps, scrubber, exact input, speed.
 import { NumberBox } from "assur/controls/number-box.js";
 import { Scrubber } from "assur/controls/scrubber.js";
-import { byId, make, write } from "assur/core/dom.js";
+import { byId, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { readable } from "assur/core/numbers.js";
 import { INPUT } from "assur/state/drafts.js";
 import { stoppedAt, turned } from "assur/state/player.js";
@@ -38,6 +39,8 @@ export class Transport {
   #start = 0;
   /** @type {[number, number][] | null} parts of the axis, from 0 to 1, in which the linkage can be assembled; null for the whole axis */
   #arcs = null;
+  /** Speeds to choose from; one that the page once had, such as a speed from a URL, stays among them. */
+  #speeds = new Set(SPEEDS);
   #lang = "";
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -57,7 +60,6 @@ export class Transport {
       store.update((state) => stoppedAt(state, value, model));
       return model.coordinate.of(store.get());
     });
-    for (const speed of [...SPEEDS, TRUE_TIME]) this.#speed.append(make("option", { value: String(speed) }));
     this.#speed.addEventListener("change", () => {
       const { value } = this.#speed;
       const change = value === TRUE_TIME ? { true_time: true } : { speed: Number(value), true_time: false };
@@ -69,7 +71,7 @@ export class Transport {
   render(snapshot) {
     const { summary, coordinate, inputShown, words, numbersDue } = snapshot;
     if (this.#lang !== words.lang) this.#translate(words);
-    if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, words);
+    if (this.#view !== snapshot.state.view) this.#controls(snapshot.state.view, coordinate.moves, words);
     const { start, end } = coordinate.axis(inputShown);
     if (this.#cycle !== summary.cycle || this.#start !== start) this.#fit(snapshot, start);
     this.#bar.show(Math.min(Math.max((inputShown - start) / (end - start), 0), 1), this.#arcs);
@@ -88,30 +90,31 @@ export class Transport {
 
   /**
    * @param {View} view
+   * @param {string} moves
    * @param {Words} words
    */
-  #controls(view, words) {
+  #controls(view, moves, words) {
     const previous = this.#view;
     this.#view = view;
     if (previous?.playing !== view.playing) this.#name(words, view.playing);
     if (previous?.direction !== view.direction) this.#reverse.setAttribute("aria-pressed", String(view.direction < 0));
-    if (previous?.speed !== view.speed || previous.true_time !== view.true_time) this.#hasten(view, words);
+    if (previous?.speed !== view.speed || previous.true_time !== view.true_time) this.#offer(view, moves, words);
   }
 
   /**
-   * Shows a speed. A speed that the list lacks, such as a speed from a URL, is added to the list.
    * @param {View} view
+   * @param {string} moves
    * @param {Words} words
    */
-  #hasten({ speed, true_time: trueTime }, words) {
-    const value = String(speed);
-    const options = [...this.#speed.options];
-    if (!options.some((option) => option.value === value)) {
-      const next = options.find((option) => !(Number(option.value) <= speed)) ?? null;
-      const text = words.text("transport.times", { value: words.numbers.upTo(speed, 2) });
-      this.#speed.insertBefore(make("option", { value }, [text]), next);
-    }
-    this.#speed.value = trueTime ? TRUE_TIME : value;
+  #offer({ speed, true_time: trueTime }, moves, words) {
+    const speeds = [...this.#speeds.add(speed)].sort((one, other) => one - other);
+    const times = (/** @type {number} */ value) => words.text("transport.times", { value: words.numbers.upTo(value, 2) });
+    // A document whose input is time already plays in real time.
+    render([
+      ...speeds.map((value) => html`<option value=${value}>${times(value)}</option>`),
+      html`<option value=${TRUE_TIME} ?hidden=${moves === "time"}>${words.text(`transport.true_time.${moves}`)}</option>`,
+    ], this.#speed);
+    this.#speed.value = trueTime ? TRUE_TIME : String(speed);
   }
 
   /** @param {Words} words */
@@ -119,19 +122,6 @@ export class Transport {
     this.#lang = words.lang;
     this.#view = null;
     this.#cycle = null;
-  }
-
-  /**
-   * @param {Words} words
-   * @param {string} moves
-   */
-  #translateSpeeds(words, moves) {
-    for (const option of this.#speed.options) {
-      const times = { value: words.numbers.upTo(Number(option.value), 2) };
-      option.textContent = option.value === TRUE_TIME ? words.text(`transport.true_time.${moves}`) : words.text("transport.times", times);
-      // A document whose input is time already plays in real time.
-      if (option.value === TRUE_TIME) option.hidden = moves === "time";
-    }
   }
 
   /**
@@ -150,7 +140,7 @@ export class Transport {
    * @param {Snapshot} snapshot
    * @param {number} first start of the axis, in the reader's unit
    */
-  #fit({ summary: { cycle }, coordinate, words }, first) {
+  #fit({ summary: { cycle }, coordinate, words, state: { view } }, first) {
     this.#cycle = cycle;
     this.#start = first;
     const { start, end, full, arcs } = cycle;
@@ -171,6 +161,6 @@ export class Transport {
     for (const [element, key] of /** @type {const} */ ([[this.#scrubber, "scrubber"], [byId("angle", HTMLInputElement), "input"]])) {
       element.ariaLabel = words.text(`transport.${key}.${moves}`);
     }
-    this.#translateSpeeds(words, moves);
+    this.#offer(view, moves, words);
   }
 }

@@ -1,5 +1,5 @@
 // Numbers typed into the panel beside a drawing.
-import "assur/tests/document.js";
+import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
 import { degrees } from "assur/core/angles.js";
@@ -16,9 +16,9 @@ function begin(view = {}) {
   const rail = new DrawingRail(page, { points: new Set(["P1"]), links: new Set() }, { remove() {}, duplicate() {}, mirror() {} });
   const render = () => rail.render(page.now(), page.store.get().document);
   render();
-  const section = globalThis.document.getElementById("rail").children.at(0);
+  const section = globalThis.document.getElementById("rail").firstElementChild;
   const type = (id, text) => {
-    const input = section.all.find(({ attributes }) => attributes.id === id);
+    const input = section.querySelector(`#${id}`);
     input.value = text;
     input.dispatchEvent(new Event("input"));
     render();
@@ -29,13 +29,13 @@ function begin(view = {}) {
 test("the panel of an empty sheet invites to draw, that of a bar that it has no driver", () => {
   const page = new Page("crank-rocker");
   const rail = new DrawingRail(page, { points: new Set(), links: new Set() }, { remove() {}, duplicate() {}, mirror() {} });
-  const section = globalThis.document.getElementById("rail").children.at(0);
+  const section = globalThis.document.getElementById("rail").firstElementChild;
   const { kind, document: blank } = page.engine.functions.blank();
   page.store.update(() => initialState(kind, blank, { drawing: true }));
   const told = () => {
     rail.render(page.now(), page.store.get().document);
-    const reasons = section.all.find(({ attributes }) => attributes.id === "draw-reasons");
-    return reasons.children.map(({ textContent }) => textContent);
+    const reasons = section.querySelector("#draw-reasons");
+    return all(reasons).map(({ textContent }) => textContent);
   };
   assert.deepEqual(told(), ["Click two places to draw a link. The first is a fixed pivot, and links go on from place to place."]);
   page.store.update((state) => withDocument(state, { points: [{ name: "A", at: [0, 0] }, { name: "B", at: [1, 0] }], frame: ["A"], links: [{ name: "AB", points: ["A", "B"] }] }));
@@ -64,7 +64,7 @@ test("a link of the catalogue is named in the reader's language, and keeps its n
   const selection = { points: new Set(), links, set: (_, names) => names.forEach((name) => links.clear() ?? links.add(name)) };
   const rail = new DrawingRail(page, selection, { remove() {}, duplicate() {}, mirror() {} });
   rail.render(page.now(), page.store.get().document);
-  const field = globalThis.document.getElementById("rail").children.at(0).all.find(({ attributes }) => attributes.id === "draw-name");
+  const field = globalThis.document.getElementById("rail").querySelector("#draw-name");
   assert.equal(field.value, "верхний треугольник");
   assert.ok(page.store.get().document.links.some(({ name }) => name === "upper triangle"));
 });

@@ -1,6 +1,7 @@
 // Reasons why a drawing does not move, with remedies, in the panel beside it.
 import { sentence } from "assur/controls/problems.js";
 import { make } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { step } from "assur/drawing/edit.js";
 
@@ -26,22 +27,21 @@ export class Reasons {
    */
   show({ summary, words }, document) {
     if (summary.moves) {
-      this.#reasons.replaceChildren(make("p", {}, [words.text("draw.moves")]));
-      this.#mends.replaceChildren();
+      render(html`<p>${words.text("draw.moves")}</p>`, this.#reasons);
+      render([], this.#mends);
       return;
     }
     const told = /** @type {import("assur/types/web.js").DraftSummary} */ (/** @type {unknown} */ (summary));
     const said = (/** @type {import("assur/core/problem.js").Problem} */ reason) => (
       reason.code === "no_driver" && document.links.length === 0 ? words.text("draw.empty") : sentence(reason, words, document)
     );
-    const reasons = told.reasons.map((reason) => make("p", { "data-code": reason.code, class: tone(reason.code) }, [said(reason)]));
-    if (reasons.length === 0) reasons.push(make("p", {}, [words.text("draw.sound")]));
-    this.#reasons.replaceChildren(...reasons);
+    const reasons = told.reasons.map((reason) => html`<p data-code=${reason.code} class=${tone(reason.code)}>${said(reason)}</p>`);
+    render(reasons.length > 0 ? reasons : html`<p>${words.text("draw.sound")}</p>`, this.#reasons);
     /** @type {readonly { wanted: Edit, text: string }[]} */
     const mends = told.reasons.length === 0
       ? [{ wanted: { edit: "move", points: [], by: [0, 0] }, text: words.text("draw.mend.go") }]
       : told.mends.map((mend) => ({ wanted: mending(mend), text: mendText(mend, words) }));
-    this.#mends.replaceChildren(...mends.map(({ wanted, text }) => make("button", { class: "control", type: "button", onclick: () => step(this.#page, wanted) }, [text])));
+    render(mends.map(({ wanted, text }) => html`<button class="control" type="button" @click=${() => step(this.#page, wanted)}>${text}</button>`), this.#mends);
   }
 }
 

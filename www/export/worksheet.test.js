@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import "assur/tests/document.js";
+import { all } from "assur/tests/document.js";
 import { cellOf } from "assur/controls/shown.js";
 import { numberEntries } from "assur/core/names.js";
 import { Words } from "assur/core/words.js";
@@ -38,7 +38,7 @@ function print(id = "mixer-a", taught = true, prepare = () => {}) {
 
 test("text and formula of each step stand before its question", () => {
   const { sheet, steps } = print();
-  const items = sheet.all.filter(({ tagName }) => tagName === "LI").map(({ textContent }) => textContent);
+  const items = all(sheet, "li").map(({ textContent }) => textContent);
   assert.equal(items.length, steps.filter(({ question }) => question).length);
   for (const [i, item] of items.entries()) {
     const { title, text, question } = steps[i];
@@ -65,7 +65,7 @@ function show(page, lesson, preset) {
 
 /** Each line of the tables. */
 function lines(...how) {
-  return print(...how).sheet.all.filter(({ tagName }) => tagName === "TR").map(({ textContent }) => textContent);
+  return all(print(...how).sheet, "tr").map(({ textContent }) => textContent);
 }
 
 for (const [id, count, wanted] of [
@@ -112,10 +112,10 @@ test("the table of values and the status line are printed as they are shown, and
     shown.put("course", [{ title: "arc", cells: [cell("course-arc", "20°")] }]);
   };
   const { sheet } = print("mixer-a", false, show);
-  const rows = sheet.all.filter(({ tagName }) => tagName === "TR").slice(-3);
-  assert.deepEqual(rows.map(({ children }) => children.map(({ textContent }) => textContent)), [["", "φ"], ["φ₁ crank", "75°"], ["R of C", "none"]]);
-  assert.deepEqual(rows.map(({ children }) => children[1].attributes.colspan), ["1", "1", "3"]);
-  const said = sheet.all.filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent);
+  const rows = all(sheet, "tr").slice(-3);
+  assert.deepEqual(rows.map(({ children }) => [...children].map(({ textContent }) => textContent)), [["", "φ"], ["φ₁ crank", "75°"], ["R of C", "none"]]);
+  assert.deepEqual(rows.map(({ children }) => children[1].getAttribute("colspan")), ["1", "1", "3"]);
+  const said = all(sheet, "p").map(({ textContent }) => textContent);
   assert.ok(said.includes("swing ?") && !/87|arc/.test(sheet.textContent), said.join("; "));
   assert.deepEqual(lines("mobility-1a", false, (page) => {
     show(page);

@@ -1,5 +1,6 @@
 // Controls for a lecturer's question: its kind, the quantity asked for, the right option.
 import { make, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
 import { measured } from "assur/core/units.js";
 import { withQuantity, withRight, withShown } from "assur/lesson/fields.js";
@@ -80,7 +81,7 @@ export class Asking {
     if (!this.#listed.same(summary, readouts !== null, state.view.axes, wanted)) {
       const names = quantities(snapshot);
       const all = wanted === "" || names.includes(wanted) ? names : [wanted, ...names];
-      this.#quantity.replaceChildren(...all.map((name) => make("option", { value: name }, [quantityName(name, snapshot, this.#words)])));
+      render(all.map((name) => html`<option value=${name}>${quantityName(name, snapshot, this.#words)}</option>`), this.#quantity);
     }
     if (wanted !== "") this.#quantity.value = wanted;
   }
@@ -90,9 +91,7 @@ export class Asking {
    * @param {number} answer
    */
   #options(options, answer) {
-    if (options.join("\n") !== [...this.#right.options].map(({ text }) => text).join("\n")) {
-      this.#right.replaceChildren(...options.map((option, i) => make("option", { value: String(i) }, [option])));
-    }
+    render(options.map((option, i) => html`<option value=${i}>${option}</option>`), this.#right);
     this.#right.value = String(answer);
   }
 

@@ -1,5 +1,5 @@
 // The panel of a lecturer's lesson: another name takes its own answers without a new panel.
-import "assur/tests/document.js";
+import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
 import { LessonPanel } from "assur/lesson/panel.js";
@@ -10,24 +10,8 @@ import { wordsOf } from "assur/tests/words.js";
 
 const words = wordsOf("en");
 
-globalThis.MutationObserver = class MutationObserver {
-  observe() {}
-  disconnect() {}
-};
-HTMLElement.prototype.scrollIntoView = HTMLElement.prototype.focus = () => {};
-
-/** @type {Map<string, string>} */
-const texts = new Map();
-globalThis.localStorage = {
-  getItem: (key) => texts.get(key) ?? null,
-  setItem: (key, text) => texts.set(key, text),
-  removeItem: (key) => texts.delete(key),
-  key: (i) => [...texts.keys()][i] ?? null,
-  get length() {
-    return texts.size;
-  },
-};
-beforeEach(() => texts.clear());
+HTMLElement.prototype.scrollIntoView = () => {};
+beforeEach(() => localStorage.clear());
 
 /** An opened lesson of one step; `find` is an element of the panel by its id, `type` writes into it as a person does. */
 function begin(question, vary = []) {
@@ -36,24 +20,24 @@ function begin(question, vary = []) {
   const { kind, document: shown } = page.engine.catalogue.preset("mixer-a");
   const lesson = { title: "Own", steps: [{ title: "", text: "", shows: { kind, document: shown, view: { phi_deg: 30 }, vary }, question: { text: "?", ...question } }] };
   page.store.update((state) => withView(withExtras(state, { lesson }), { lesson: { id: "own", step: 1 } }));
-  const container = new HTMLElement();
+  const container = globalThis.document.createElement("div");
   const panel = new LessonPanel(container, page, new WrittenLesson(lesson, page, words), words);
   const render = () => panel.render(page.model.snapshot(page.store.get(), words, true));
   render();
-  const find = (id) => container.all.find((element) => element.attributes.id === id);
+  const find = (id) => container.querySelector(`#${id}`);
   const type = (id, text) => {
     const input = find(id);
     input.value = text;
     for (const event of ["input", "change"]) input.dispatchEvent(new Event(event));
   };
-  const check = () => container.all.find(({ tagName }) => tagName === "FORM").dispatchEvent(new Event("submit", { cancelable: true }));
+  const check = () => container.querySelector("form").dispatchEvent(new Event("submit", { cancelable: true }));
   return { page, panel, container, find, type, check, render };
 }
 
 test("another name has its own answers, in the same elements", () => {
   const { find, type, check, container } = begin({ number: { value: 5, within: 0.1 } });
   type("lesson-reader", "Ada");
-  const named = () => container.all.filter(({ attributes }) => attributes.id);
+  const named = () => all(container, "[id]");
   const before = named();
   type("lesson-answer", "5");
   check();
@@ -95,7 +79,7 @@ test("the mechanism with one's own numbers is that of the new name", () => {
     return page.store.get().document.l1;
   };
   type("lesson-reader", "Ada");
-  assert.equal(container.all.find(({ attributes }) => attributes.class === "lesson-note").textContent, words.text("written.own"));
+  assert.equal(container.querySelector(".lesson-note").textContent, words.text("written.own"));
   const hers = show();
   type("lesson-reader", "Bo");
   const his = show();

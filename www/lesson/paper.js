@@ -1,6 +1,7 @@
 // Items of a lesson's paper: formulas, their values for the current mechanism, whether they hold, correct formulas.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
 import { withSubscripts } from "assur/core/subscripts.js";
@@ -103,7 +104,7 @@ export class Paper {
     for (const one of this.#numbers) {
       const { item, container } = one;
       const relations = told.includes(one) ? (asked ?? []).filter((relation) => relation.item === item) : [];
-      container.replaceChildren(...relations.map((relation) => make("p", {}, withSubscripts(compared(relation, words)))));
+      render(relations.map((relation) => html`<p>${withSubscripts(compared(relation, words))}</p>`), container);
     }
   }
 

@@ -1,7 +1,7 @@
 // Worksheets of a class: each has what is needed to solve it on paper, and no answer.
 import assert from "node:assert/strict";
 import test from "node:test";
-import "assur/tests/document.js";
+import { all } from "assur/tests/document.js";
 import { Context } from "assur/tests/canvas.js";
 import { numberEntries } from "assur/core/names.js";
 import { given } from "assur/lesson/given.js";
@@ -25,7 +25,7 @@ function printed(id, vary = [], quantity = "input", name = "Ann") {
   const { kind, document } = page.engine.catalogue.preset(id);
   const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows: { kind, document, view: { phi_deg: 30 }, vary }, question: { text: "How much?", number: { quantity, within: 0.001 } } }] };
   const sheet = sheets(lesson, [name], false, page, page.words);
-  return { said: sheet.all.filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent).join("\n"), answer: answerOf(lesson, 0, name, page.engine) };
+  return { said: all(sheet, "p").map(({ textContent }) => textContent).join("\n"), answer: answerOf(lesson, 0, name, page.engine) };
 }
 
 for (const [id, wanted] of [
@@ -59,7 +59,7 @@ test("lengths and coordinates go by symbols with the points as subscripts, or by
   assert.ok(said(document).includes("x_D = 6"));
   assert.deepEqual(said(renamed).slice(0, 2), ["length of bearing-B = 2", "l_BC = 6"]);
   assert.ok(said(renamed).includes("x of bearing = 0"));
-  const subscripts = sheets({ title: "Own", steps: [{ title: "Task", text: "", shows: { kind, document } }] }, [], false, page, page.words).all.filter(({ tagName }) => tagName === "SUB");
+  const subscripts = all(sheets({ title: "Own", steps: [{ title: "Task", text: "", shows: { kind, document } }] }, [], false, page, page.words), "sub");
   assert.equal(subscripts[0].textContent, "AB");
 });
 
@@ -86,7 +86,7 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
     const shows = { kind, document: kind === "linkage" ? { ...document, unit } : document, view: { phi_deg: 30 }, vary: [{ field, from, to, step: 0.5 }] };
     const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows, question: { text: "How much?", number: { quantity: "input", within: 0.001 } } }] };
     for (const answers of [false, true]) {
-      const [{ textContent }] = sheets(lesson, ["Ann"], answers, page, page.words).all.filter((one) => one.getAttribute("class") === "own");
+      const [{ textContent }] = all(sheets(lesson, ["Ann"], answers, page, page.words), ".own");
       assert.match(textContent, wanted);
     }
   });
@@ -97,9 +97,9 @@ function asking(id, number, { text = "How much?", unit, view = {}, question = { 
   const { kind, document } = page.engine.catalogue.preset(id);
   const shows = { kind, document: unit ? { ...document, unit } : document, view: { phi_deg: 30, ...view } };
   const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows, question }, { title: "Again", text: "", question }] };
-  const [tasks, answers] = [false, true].map((told) => sheets(lesson, [], told, page, page.words).all);
-  const of = (all, name) => all.filter((one) => one.getAttribute("class") === name).map(({ textContent }) => textContent);
-  return { asked: tasks.filter(({ tagName }) => tagName === "B").map(({ textContent }) => textContent)[1], given: of(tasks, "given"), drawn: tasks.filter(({ tagName }) => tagName === "FIGURE").map(({ textContent }) => textContent), answers: of(answers, "answer") };
+  const [tasks, answers] = [false, true].map((told) => sheets(lesson, [], told, page, page.words));
+  const of = (sheet, selector) => all(sheet, selector).map(({ textContent }) => textContent);
+  return { asked: of(tasks, "b")[1], given: of(tasks, ".given"), drawn: of(tasks, "figure"), answers: of(answers, ".answer") };
 }
 
 test("the tolerance of an answer stands before the mark that ends the question", () => {

@@ -1,6 +1,7 @@
 // Tools of a lesson's step: controls and parts of the page, moved into the open step, and copies of read-outs.
-import { writeReadout } from "assur/controls/readout.js";
-import { byId, make, write } from "assur/core/dom.js";
+import { readoutText } from "assur/controls/readout.js";
+import { byId, make } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { fieldOf } from "assur/lesson/field.js";
 
 /**
@@ -22,8 +23,6 @@ export class Tools {
   /** @type {(() => Document) | null} */
   #document = null;
   #shown;
-  /** @type {Map<string, { entry: HTMLElement, title: HTMLElement, value: HTMLElement }>} elements of the step's read-outs, by their names */
-  #copies = new Map();
   // If the rail is rebuilt, its new controls are borrowed.
   #watch = new MutationObserver(() => this.borrow());
 
@@ -42,11 +41,6 @@ export class Tools {
     this.close();
     this.#step = step;
     this.#document = document;
-    this.#copies = new Map((step.readouts ?? []).map((name) => {
-      const [title, value] = [make("dt"), make("dd", { "data-out": name })];
-      return [name, { entry: make("div", {}, [title, " ", value]), title, value }];
-    }));
-    this.#readouts.replaceChildren(...[...this.#copies.values()].map(({ entry }) => entry));
     this.#shown.changed = () => this.#write();
     this.#write();
     this.#watch.observe(byId("rail", HTMLElement), { childList: true, subtree: true });
@@ -97,13 +91,11 @@ export class Tools {
   }
 
   #write() {
-    for (const [name, { entry, title, value }] of this.#copies) {
+    const entries = (this.#step?.readouts ?? []).map((name) => {
       const cell = this.#shown.find(name);
-      entry.hidden = !cell;
-      if (!cell) continue;
-      write(title, cell.title);
-      writeReadout(value, cell);
-    }
+      return html`<div ?hidden=${!cell}><dt>${cell?.title}</dt> <dd data-out=${name} data-value=${cell?.value ?? nothing} data-asked=${cell?.asked ?? nothing}>${cell && readoutText(cell)}</dd></div>`;
+    });
+    render(entries, this.#readouts);
   }
 }
 

@@ -1,8 +1,10 @@
 // The bar above the plots: choice of the plotted quantities, choice of the variable of differentiation, and rates of the input.
 import { NumberBox } from "assur/controls/number-box.js";
-import { byId, make, write } from "assur/core/dom.js";
+import { byId, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { partsOf } from "assur/core/quantity.js";
+import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { derived } from "assur/core/units.js";
 import { PairChoice, pointsOfFrame } from "assur/plots/pairs.js";
@@ -33,14 +35,9 @@ export class PlotBar {
   #pairs;
   #omega;
   #epsilon;
-  /** @type {readonly string[]} points to choose from */
-  #points = [];
-  #overviews = "";
-  #measures = "";
-  #frame = "";
-  #joints = "";
-  /** @type {readonly unknown[]} values shown last */
-  #shown = [];
+  #shown = new Seen();
+  #offered = new Seen();
+  #named = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -72,15 +69,12 @@ export class PlotBar {
     const transmissions = "transmissions" in summary ? summary.transmissions : NONE;
     const { plot, against, measures, only, axes, omega, omega_unit: unit, epsilon, true_time: trueTime } = view;
     const { points } = this.#engine.names;
-    const frame = pointsOfFrame(snapshot.state).join();
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
-    const shown = [points, plot, axes, omega, unit, epsilon, trueTime, words, moves, overviews, only, joints(transmissions), against, measures.join(), summary, ...wrong];
-    if (shown.every((part, i) => part === this.#shown[i])) return;
-    const anew = words !== this.#shown[7] || frame !== this.#frame || points !== this.#points || joints(transmissions) !== this.#joints;
-    if (anew || measures.join() !== this.#measures || overviews.join() !== this.#overviews) this.#offer(snapshot, points, transmissions);
-    if (words !== this.#shown[7] || moves !== this.#shown[8]) this.#name(coordinate, words);
-    this.#shown = shown;
+    if (this.#shown.same(points, plot, axes, omega, unit, epsilon, trueTime, words, moves, only, against, measures, summary, ...wrong)) return;
+    const names = [pointsOfFrame(snapshot.state), transmissions.map(({ what, joint }) => `${joint}.${what}`), measures, overviews];
+    if (!this.#offered.same(words, points, names.join("/"))) this.#offer(snapshot, points, transmissions);
+    if (!this.#named.same(words, moves)) this.#name(coordinate, words);
     this.#plot.value = plot;
     this.#pairs.show(against, this.#plot, snapshot);
     this.#only.value = only;
@@ -131,21 +125,14 @@ export class PlotBar {
    */
   #offer(snapshot, points, transmissions) {
     const { summary: { overviews }, state: { view: { measures } }, words } = snapshot;
-    this.#measures = measures.join();
-    this.#frame = pointsOfFrame(snapshot.state).join();
-    this.#joints = joints(transmissions);
-    this.#points = points;
-    this.#overviews = overviews.join();
-    const option = (/** @type {string} */ value, /** @type {string} */ key, /** @type {string} */ name) =>
-      make("option", { value }, [words.text(key, { name })]);
-    this.#plot.replaceChildren(
-      ...overviews.map((name) => option(name, `plots.overview.${name}`, "")),
-      ...this.#engine.names.links.map((link) => option(`${link}.angle`, "plots.link", called(link, words))),
-      ...points.map((point) => option(point, "plots.point", subscript(point))),
-      ...transmissions.map(({ what, joint }) => make("option", { value: `${joint}.${what}` }, [whose({ what, of: [joint] }, words)])),
-      ...measures.map((name) => make("option", { value: name }, [measure(name, words)])),
-      this.#pairs.offered(snapshot),
-    );
+    const options = [
+      ...overviews.map((name) => [name, words.text(`plots.overview.${name}`)]),
+      ...this.#engine.names.links.map((link) => [`${link}.angle`, words.text("plots.link", { name: called(link, words) })]),
+      ...points.map((point) => [point, words.text("plots.point", { name: subscript(point) })]),
+      ...transmissions.map(({ what, joint }) => [`${joint}.${what}`, whose({ what, of: [joint] }, words)]),
+      ...measures.map((name) => [name, measure(name, words)]),
+    ];
+    render([options.map(([value, text]) => html`<option value=${value}>${text}</option>`), this.#pairs.offered(snapshot)], this.#plot);
   }
 }
 
@@ -157,14 +144,6 @@ export class PlotBar {
 function measure(name, words) {
   const { of, what } = partsOf(name);
   return whose({ what: /** @type {import("assur/types/web.js").ListedSummary["what"]} */ (what), of: [of] }, words);
-}
-
-/**
- * @param {readonly Transmission[]} transmissions
- * @returns {string} names of the plots that the transmissions add to the list, joined for comparison
- */
-function joints(transmissions) {
-  return transmissions.map(({ what, joint }) => `${joint}.${what}`).join();
 }
 
 /**

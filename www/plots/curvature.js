@@ -1,22 +1,21 @@
 // Read-outs of curvature: radius and centre for paths of traced points, and the diameter of a link's inflection circle.
 import { sentence } from "assur/controls/problems.js";
-import { writeReadout } from "assur/controls/readout.js";
 import { cellOf } from "assur/controls/shown.js";
 import { byId, make } from "assur/core/dom.js";
+import { render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { idOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
-import { BLANK, tableCell, tableRow } from "assur/plots/readouts.js";
+import { BLANK, tableRow } from "assur/plots/readouts.js";
 import { quantityText } from "assur/plots/values.js";
 
 /**
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/types/web.js").CurvatureHere} Here
- * @typedef {import("assur/controls/shown.js").Cell & Readonly<{ at?: readonly [number, number], why?: boolean }>} Cell
- * `at`: coordinates in the text. `why`: whether the text is the reason for a missing value
- * @typedef {Omit<import("assur/plots/readouts.js").TableRow, "cells"> & { cells: readonly Cell[] }} Row
+ * @typedef {import("assur/controls/readout.js").TableCell} Cell
+ * @typedef {import("assur/plots/readouts.js").TableRow} Row
  */
 
 const NONE = "—";
@@ -47,7 +46,7 @@ export class Curvature {
     if (this.#shown.same(on, readouts, words, withheld)) return;
     const here = on ? attempt(() => this.#engine.simulator.curvature(frameInput)).value : null;
     const rows = curvatureRows(here ?? NOTHING, words, withheld);
-    this.#body.replaceChildren(...rows.map(element));
+    render(rows.map(tableRow), this.#body);
     this.#rows.put("curvature", rows);
   }
 }
@@ -84,14 +83,4 @@ function curvatureRows({ circles, inflection }, words, withheld) {
   const name = words.text("curvature.inflection", { of: called(link, words) });
   const own = cell(`${link}.inflection`, 0, "D", name, diameter === null ? why(reason) : length(diameter));
   return [...rows, row("accent2", "D", INFLECTION_POLE, name, name, diameter === null ? [own] : [own, BLANK, BLANK])];
-}
-
-/** @param {Row} row */
-function element(row) {
-  return tableRow(row, row.cells.map((cell) => {
-    const { at, why } = cell;
-    const output = tableCell(cell, { ...(why && { class: "why" }), ...(at && { "data-x": String(at[0]), "data-y": String(at[1]) }) });
-    writeReadout(output, cell);
-    return output;
-  }));
 }

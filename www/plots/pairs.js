@@ -1,5 +1,6 @@
 // Choice of two quantities to plot against each other: usual pairs in the list of plots, and two lists for other pairs.
-import { byId, make } from "assur/core/dom.js";
+import { byId } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { partsOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
@@ -78,11 +79,11 @@ export class PairChoice {
 
   /**
    * @param {Snapshot} snapshot
-   * @returns {HTMLElement} choices of pairs for the list of plots
+   * @returns choices of pairs for the list of plots
    */
   offered({ state, summary, words }) {
     const option = (/** @type {string} */ key, /** @type {string} */ x, /** @type {string} */ y, /** @type {string} */ name) =>
-      make("option", { value: chosen({ x, y }) }, [words.text(key, { name })]);
+      html`<option value=${chosen({ x, y })}>${words.text(key, { name })}</option>`;
     const { quantities } = this.#engine.names;
     const still = pointsOfFrame(state);
     const points = this.#engine.names.points.filter((point) => !still.includes(point));
@@ -95,13 +96,13 @@ export class PairChoice {
       if (what === "angle") return called(of, words);
       return /^[xy]$/.test(what) ? `${what} ${subscript(of)}` : calledWhole(of, what, words);
     };
-    return make("optgroup", { label: words.text("plots.against") }, [
+    return html`<optgroup label=${words.text("plots.against")}>${[
       ...points.map((point) => option("plots.path", `${point}.x`, `${point}.y`, subscript(point))),
       ...points.map((point) => option("plots.hodograph", `${point}.dx`, `${point}.dy`, subscript(point))),
       ...outputs.map((name) => option("plots.over_input", INPUT, name, whose(name))),
       ...outputs.map((name) => option("plots.phase", name, derivative(name, 1), whose(name))),
-      make("option", { value: OWN }, [words.text("plots.pair")]),
-    ]);
+      html`<option value=${OWN}>${words.text("plots.pair")}</option>`,
+    ]}</optgroup>`;
   }
 
   /**
@@ -126,8 +127,9 @@ export class PairChoice {
     const names = [...this.#engine.names.quantities, ...transmissions];
     const physical = state.view.axes === "physical" || coordinate.moves === "time";
     if (this.#built.same(JSON.stringify([names, physical, coordinate.symbol, summary.numbers]), words)) return;
-    this.#y.replaceChildren(...listed(names, summary.numbers, physical, words));
-    this.#x.replaceChildren(make("option", { value: INPUT }, [coordinate.symbol]), ...listed(names, summary.numbers, physical, words));
+    const options = listed(names, summary.numbers, physical, words);
+    render(options, this.#y);
+    render([html`<option value=${INPUT}>${coordinate.symbol}</option>`, options], this.#x);
   }
 }
 
@@ -144,7 +146,7 @@ export function pointsOfFrame({ document }) {
  * @param {Readonly<Record<string, string>>} numbers of links
  * @param {boolean} physical whether derivatives are with respect to time
  * @param {import("assur/core/words.js").Words} words
- * @returns {HTMLElement[]} options for the quantities and their derivatives, grouped by link or point
+ * @returns options for the quantities and their derivatives, grouped by link or point
  */
 function listed(names, numbers, physical, words) {
   /** @type {Map<string, { owner: string, point: boolean, own: string[] }>} groups by key; the key of a link differs from that of a point of the same name */
@@ -162,9 +164,9 @@ function listed(names, numbers, physical, words) {
       ORDERS.map((order) => {
         const spelled = symbol({ name, number: numbers[owner] }, order, physical, words);
         const text = /\.[xy]$/.test(name) ? `${spelled} ${subscript(owner)}` : spelled;
-        return make("option", { value: derivative(name, order) }, [text]);
+        return html`<option value=${derivative(name, order)}>${text}</option>`;
       }),
     );
-    return make("optgroup", { label }, options);
+    return html`<optgroup label=${label}>${options}</optgroup>`;
   });
 }

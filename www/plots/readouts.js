@@ -1,10 +1,10 @@
 // Table of the current input and quantities. The colours of its rows serve as the legend of the drawing and the plots.
-import { writeReadout } from "assur/controls/readout.js";
+import { readoutCell } from "assur/controls/readout.js";
 import { cellOf, idOfOutput } from "assur/controls/shown.js";
-import { byId, make, setData } from "assur/core/dom.js";
+import { byId, setData } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { STROKES, idOf } from "assur/core/quantity.js";
-import { Seen } from "assur/core/seen.js";
 import { MEASURES, calledWhole, isLength, letterOf, subscript } from "assur/core/symbols.js";
 import { quantityText } from "assur/plots/values.js";
 
@@ -13,7 +13,7 @@ import { quantityText } from "assur/plots/values.js";
  * @typedef {import("assur/types/web.js").ListedSummary} Listed
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/controls/shown.js").Cell} Cell
- * @typedef {import("assur/controls/shown.js").Row & Readonly<{ letter: string, low?: string, name: string, role?: string, curve?: boolean }>} TableRow
+ * @typedef {Omit<import("assur/controls/shown.js").Row, "cells"> & Readonly<{ cells: readonly import("assur/controls/readout.js").TableCell[], letter: string, low?: string, name: string, role?: string, curve?: boolean }>} TableRow
  * `letter`, `name`: the two parts of the title. `low`: subscript of the letter. `role`: of the row's colour; a row without one belongs to the row above it.
  * `curve`: whether the quantity is plotted.
  */
@@ -28,35 +28,23 @@ const BARE = Object.freeze(["transmission", "pressure"]);
 
 export class ReadoutTable {
   #table = byId("readouts", HTMLTableElement);
-  #heads = STROKES.map(() => make("th", { scope: "col" }));
   #shown;
-  /** @type {readonly (readonly HTMLElement[])[]} cells of each row */
-  #outputs = [];
-  #built = new Seen();
 
   /** @param {Pick<import("assur/app/page.js").Page, "shown">} page */
   constructor({ shown }) {
     this.#shown = shown;
-    this.#table.tHead?.append(make("tr", {}, [make("td"), ...this.#heads]));
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, words, stale, numbersDue, compares } = snapshot;
+    const { summary, stale, numbersDue } = snapshot;
     setData(this.#table, "faded", String(stale));
     if (!numbersDue) return;
-    const quantities = [inputRow(snapshot), ...summary.listed.flatMap((listed) => quantityRows(listed, snapshot))];
-    if (!this.#built.same(summary, words, compares)) this.#build(quantities);
-    const rows = [headsOf(snapshot), ...quantities];
-    for (const [i, { cells }] of rows.entries()) cells.forEach((cell, k) => writeReadout(this.#outputs[i][k], cell));
-    this.#shown.put("values", rows);
-  }
-
-  /** @param {readonly TableRow[]} rows */
-  #build(rows) {
-    const outputs = rows.map(({ cells }) => cells.map((cell) => tableCell(cell)));
-    this.#table.tBodies[0].replaceChildren(...rows.map((row, i) => tableRow(row, outputs[i])));
-    this.#outputs = [this.#heads, ...outputs];
+    const heads = headsOf(snapshot);
+    const rows = [inputRow(snapshot), ...summary.listed.flatMap((listed) => quantityRows(listed, snapshot))];
+    render(html`<tr><td></td>${heads.cells.map(({ text }) => html`<th scope="col">${text}</th>`)}</tr>`, this.#table.createTHead());
+    render(rows.map(tableRow), this.#table.tBodies[0]);
+    this.#shown.put("values", [heads, ...rows]);
   }
 }
 
@@ -122,23 +110,11 @@ function quantityRows(listed, snapshot) {
   ];
 }
 
-/**
- * @param {Cell} cell
- * @param {Readonly<Record<string, string>>} [more] further attributes
- */
-export function tableCell({ id, wide }, more) {
-  return make("td", { ...(id && { id }), ...(wide && { colspan: String(STROKES.length) }), ...more });
-}
-
-/**
- * @param {TableRow} row
- * @param {readonly HTMLElement[]} cells
- */
-export function tableRow({ letter, low, name, role, curve }, cells) {
-  const title = [make("b", {}, low === undefined ? [letter] : [letter, make("sub", {}, [low])]), " ", make("span", {}, [name])];
-  if (!role) return make("tr", { class: "beside" }, [make("th", { scope: "row" }, title), ...cells]);
-  const swatch = make("i", { class: curve ? "swatch curve" : "swatch", "aria-hidden": "true" });
-  return make("tr", {}, [make("th", { scope: "row", style: `--accent: var(--role-${role})` }, [swatch, ...title]), ...cells]);
+/** @param {TableRow} row */
+export function tableRow({ letter, low, name, role, curve, cells }) {
+  const swatch = role ? html`<i class=${curve ? "swatch curve" : "swatch"} aria-hidden="true"></i>` : nothing;
+  const title = html`${swatch}<b>${letter}${low === undefined ? nothing : html`<sub>${low}</sub>`}</b> <span>${name}</span>`;
+  return html`<tr class=${role ? nothing : "beside"}><th scope="row" .style=${role ? `--accent: var(--role-${role})` : ""}>${title}</th>${cells.map(readoutCell)}</tr>`;
 }
 
 /**

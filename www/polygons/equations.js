@@ -1,5 +1,5 @@
 // Vector equations for the steps in which the polygons are drawn, with the values known so far.
-import { make } from "assur/core/dom.js";
+import { html, nothing } from "assur/core/html.js";
 import { measured } from "assur/core/units.js";
 
 /**
@@ -23,23 +23,18 @@ const LEGS = Object.freeze({
  * @param {boolean} done whether the result of the step is known
  * @param {readonly [string, string]} units of velocities and accelerations
  * @param {Words} words
- * @returns {readonly HTMLElement[]}
  */
 export function describeStep(step, done, units, words) {
   const names = step.found.map(({ name }) => name).join(", ");
-  if (step.kind === "pole") return [make("p", {}, [words.text("polygons.pole", { n: names })])];
+  if (step.kind === "pole") return html`<p>${words.text("polygons.pole", { n: names })}</p>`;
   const values = step.found.flatMap((found) => [0, 1].map((order) => {
     const value = amount(found.rates[order], units[order], words);
-    const of = { "data-point": found.name, "data-order": String(order + 1), "data-value": String(found.rates[order]) };
-    return make("p", of, [...letter(order, "", found.name), ` = ${value}`]);
+    return html`<p data-point=${found.name} data-order=${order + 1} data-value=${found.rates[order]}>${letter(order, "", found.name)} = ${value}</p>`;
   }));
-  if (step.kind === "group") return [make("p", {}, [words.text("polygons.group", { n: names })]), ...values];
-  if (step.kind === "image") return [make("p", {}, [words.text("polygons.image", { n: names })]), ...values];
-  const equations = step.legs.flatMap((legs, order) => [
-    make("p", {}, equation(step, legs, order)),
-    make("p", { class: "addends" }, legs.flatMap((leg, k) => [k > 0 ? "; " : "", ...addend(step, leg, order, done, units[order], words)])),
-  ]);
-  return [...equations, ...(done ? values : [])];
+  if (step.kind === "group" || step.kind === "image") return html`<p>${words.text(step.kind === "group" ? "polygons.group" : "polygons.image", { n: names })}</p>${values}`;
+  const equations = step.legs.map((legs, order) => html`<p>${equation(step, legs, order)}</p>
+    <p class="addends">${legs.map((leg, k) => html`${k > 0 ? "; " : ""}${addend(step, leg, order, done, units[order], words)}`)}</p>`);
+  return html`${equations}${done ? values : nothing}`;
 }
 
 /**
@@ -59,8 +54,7 @@ export function amount(value, unit, words) {
  * @param {string} below
  */
 function letter(order, above, below) {
-  const sign = make("i", {}, [order === 0 ? "v" : "a"]);
-  return above ? [sign, make("sup", {}, [above]), make("sub", {}, [below])] : [sign, make("sub", {}, [below])];
+  return html`<i>${order === 0 ? "v" : "a"}</i>${above ? html`<sup>${above}</sup>` : nothing}<sub>${below}</sub>`;
 }
 
 /**
@@ -69,8 +63,8 @@ function letter(order, above, below) {
  * @param {number} order
  */
 function equation({ target, from }, legs, order) {
-  const parts = legs.flatMap(({ kind }) => [" + ", ...letter(order, LEGS[kind].above, `${target}${from}`)]);
-  return [...letter(order, "", target ?? ""), " = ", ...letter(order, "", from ?? ""), ...parts];
+  const parts = legs.map(({ kind }) => html` + ${letter(order, LEGS[kind].above, `${target}${from}`)}`);
+  return html`${letter(order, "", target ?? "")} = ${letter(order, "", from ?? "")}${parts}`;
 }
 
 /**
@@ -87,5 +81,5 @@ function addend({ target, from, link }, { kind, length, known }, order, done, un
   const turns = kind === "turning" || kind === "normal" || kind === "tangential";
   const line = turns ? `${target}${from}` : words.text("polygons.guide", { n: link ?? "" });
   const size = known || done ? ` = ${amount(length, unit, words)}` : "";
-  return [...letter(order, above, `${target}${from}`), `${size} ${across ? "⟂" : "∥"}\u00a0${line}`];
+  return html`${letter(order, above, `${target}${from}`)}${size} ${across ? "⟂" : "∥"}\u00a0${line}`;
 }

@@ -6,6 +6,7 @@ import { Places } from "assur/canvas/places.js";
 import { Surface } from "assur/canvas/surface.js";
 import { Transform } from "assur/canvas/transform.js";
 import { byId, make, write } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { attempt } from "assur/core/problem.js";
 import { subscript } from "assur/core/symbols.js";
 import { axisTitle, unitOf } from "assur/plots/units.js";
@@ -117,12 +118,7 @@ export class Polygons {
       write(scale, smaller > 1 ? `${shown}, ${words.text("polygons.smaller", { n: words.numbers.exact(smaller) })}` : shown);
       canvas.setAttribute("aria-label", `${words.text("polygons.heading")}: ${said}`);
     });
-    const items = steps.slice(0, at).map((step, k) => {
-      const item = make("li", {}, describeStep(step, step.found.length > 0, [velocity, acceleration], words));
-      if (k + 1 === at && at < steps.length) item.setAttribute("aria-current", "step");
-      return item;
-    });
-    this.#equations.replaceChildren(...items);
+    render(steps.slice(0, at).map((step, k) => html`<li aria-current=${k + 1 === at && at < steps.length ? "step" : nothing}>${describeStep(step, step.found.length > 0, [velocity, acceleration], words)}</li>`), this.#equations);
   }
 
   /** @param {number} order */

@@ -1,7 +1,7 @@
 // The key to the overlays of instant centres and curvature, which opens over the drawing: what each line and mark is, and a command
 // that brings all of them into view.
-import { byId, make } from "assur/core/dom.js";
-import { Seen } from "assur/core/seen.js";
+import { byId } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 
 /** @typedef {"instant_centres" | "centrodes" | "curvature"} Overlay */
 
@@ -19,7 +19,6 @@ const OVERLAYS = Object.freeze(/** @type {Overlay[]} */ (Object.keys(ENTRIES)));
 export class Legend {
   #box = byId("legend", HTMLElement);
   #list = byId("legend-entries", HTMLElement);
-  #seen = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor({ mechanism }) {
@@ -29,11 +28,9 @@ export class Legend {
   /** @param {import("assur/state/model.js").Snapshot} snapshot */
   render({ state: { view }, summary, words }) {
     const on = "points" in summary && !view.drawing ? OVERLAYS.filter((overlay) => view[overlay]) : [];
-    if (this.#seen.same(on.join(), words)) return;
     this.#box.hidden = on.length === 0;
-    this.#list.replaceChildren(...on.flatMap((overlay) => ENTRIES[overlay]).map(([role, look, name]) => {
-      const mark = make("i", { class: look, style: `color: var(--role-${role})`, "aria-hidden": "true" });
-      return make("li", {}, [mark, " ", words.text(name)]);
-    }));
+    const entries = on.flatMap((overlay) => ENTRIES[overlay]).map(([role, look, name]) =>
+      html`<li><i class=${look} .style=${`color: var(--role-${role})`} aria-hidden="true"></i> ${words.text(name)}</li>`);
+    render(entries, this.#list);
   }
 }

@@ -1,5 +1,6 @@
-// Undo and redo: lists of earlier and of undone states. A step is what a person regards as one change.
+// Undo and redo: lists of earlier and of undone states. A step begins and ends where the hand does: a drag, a held key, a press, a typed field.
 import { whenReleased } from "assur/core/released.js";
+import { isTyped } from "assur/core/typed.js";
 import { partOf } from "assur/state/drafts.js";
 import { EXTRAS, UNDOABLE_VIEW, extrasOf, withExtras, withMechanism, withView } from "assur/state/state.js";
 
@@ -10,10 +11,11 @@ import { EXTRAS, UNDOABLE_VIEW, extrasOf, withExtras, withMechanism, withView } 
  */
 
 /**
- * Events that end a step. All changes between two such events, as in a drag or a typed number, are one step. The
- * release of a pointer is not such an event, because a slider may report its last movement after the release.
+ * Events that end a step if the hand holds nothing: a typed number is entered, a control has changed. While a pointer or a key is
+ * down they are parts of the step: a slider reports each repetition of a held key as a change, and in Firefox the focus leaves the
+ * field before only after a pressed slider has moved.
  */
-const ENDS = Object.freeze(["change", "focusout", "click", "pointerdown"]);
+const ENDS = Object.freeze(["change", "focusout", "click"]);
 
 /** Limit of the number of steps. */
 const MAX_STEPS = 1000;
@@ -30,10 +32,8 @@ export class History {
   #walking = false;
   /** @type {readonly string[]} fields with a number rejected during the last step; undoing the step drops these numbers */
   #within = [];
-  /** Whether a pointer has been pressed since the last key. */
-  #pointed = false;
-  /** @type {HTMLInputElement | null} the slider under a pressed pointer */
-  #slid = null;
+  /** @type {"pointer" | "key" | null} what the hand holds down */
+  #held = null;
   #store;
   #drafts;
 
@@ -50,27 +50,32 @@ export class History {
       this.#future = [];
       this.#open = true;
     });
+    addEventListener("pointerdown", () => this.#hold("pointer"), true);
+    // A slider may report its last movement after the release of the pointer, so the release does not end the step.
+    whenReleased(() => (this.#held = null));
+    // Keys in a text field are one step until the field is left, and a key beside a dragging pointer changes how it drags.
+    addEventListener("keydown", ({ repeat, target }) => {
+      if (this.#held === "pointer") return;
+      if (isTyped(target)) this.#held = null;
+      else if (repeat) this.#held = "key";
+      else this.#hold("key");
+    }, true);
+    addEventListener("keyup", () => {
+      if (this.#held !== "key") return;
+      this.#held = null;
+      this.close();
+    }, true);
     for (const end of ENDS) {
-      addEventListener(end, ({ target }) => {
-        const slider = target instanceof HTMLInputElement && target.type === "range" ? target : null;
-        // Key presses on a slider, each with an event `change`, are one step until the focus leaves the slider.
-        const pressed = end === "change" && slider;
-        if (end === "pointerdown") {
-          this.#pointed = true;
-          this.#slid = slider;
-        }
-        // In Firefox the focus leaves the previous element only after a pressed slider has moved. This event is not the
-        // end of the slider's step.
-        const left = this.#slid !== null && slider !== this.#slid;
-        if (!pressed && !left) this.close();
+      addEventListener(end, () => {
+        if (!this.#held) this.close();
       }, true);
     }
-    whenReleased(() => (this.#slid = null));
-    // A key pressed after a drag begins a new step.
-    addEventListener("keydown", () => {
-      if (this.#pointed) this.close();
-      this.#pointed = false;
-    }, true);
+  }
+
+  /** @param {"pointer" | "key"} held what the hand has just pressed, which begins a step */
+  #hold(held) {
+    this.close();
+    this.#held = held;
   }
 
   get canUndo() {

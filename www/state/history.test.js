@@ -54,15 +54,37 @@ test("a slider that is dragged is one step, also where the focus leaves another 
   assert.equal(history.canUndo, false);
 });
 
-test("a slider that is moved by keys is one step until the focus leaves it", () => {
+test("a held key is one step, and each press of a key another", () => {
   const { store, history, set } = begin();
   const target = slider();
-  for (const l1 of [1, 2, 3]) {
-    happen("keydown", { target });
-    set({ l1 });
-    happen("change", { target });
+  let l1 = 0;
+  const press = (times) => {
+    for (let i = 0; i < times; i++) {
+      happen("keydown", { target, repeat: i > 0 });
+      set({ l1: ++l1 });
+      happen("change", { target });
+    }
+    happen("keyup", { target });
+  };
+  for (const times of [30, 1, 1]) press(times);
+  for (const before of [31, 30, 0]) {
+    history.undo();
+    assert.equal(store.get().document.l1, before);
   }
-  happen("focusout", { target });
+  assert.equal(history.canUndo, false);
+});
+
+test("keys after a drag are a step of their own, keys during a drag are not", () => {
+  const { store, history, set } = begin();
+  const target = slider();
+  happen("pointerdown", { target });
+  set({ l1: 1 });
+  happen("keydown", { target });
+  set({ l1: 2 });
+  happen("keyup", { target });
+  set({ l1: 3 });
+  happen("pointerup", { target });
+  happen("keydown", { target });
   set({ l1: 4 });
   history.undo();
   assert.equal(store.get().document.l1, 3);
@@ -70,16 +92,43 @@ test("a slider that is moved by keys is one step until the focus leaves it", () 
   assert.equal(store.get().document.l1, 0);
 });
 
-test("keys after a drag are a step of their own", () => {
+test("a typed field is one step from its first key until it is left, also if the release of a key before was lost", () => {
+  for (const target of [new HTMLInputElement(), new HTMLTextAreaElement()]) {
+    const { store, history, set } = begin();
+    happen("keydown", { target: slider() });
+    set({ l2: 1 });
+    happen("keydown", { target });
+    happen("focusout");
+    for (const l1 of [1, 12, 123]) {
+      happen("keydown", { target });
+      set({ l1 });
+      happen("keyup", { target });
+    }
+    happen("change", { target });
+    set({ l2: 2 });
+    for (const before of [{ l1: 123, l2: 1 }, { l1: 0, l2: 1 }]) {
+      history.undo();
+      assert.deepEqual(store.get().document, before);
+    }
+  }
+});
+
+test("presses of a button are a step each, held down by Enter they are one", () => {
   const { store, history, set } = begin();
-  const target = slider();
-  happen("pointerdown", { target });
-  set({ l1: 1 });
-  happen("pointerup", { target });
-  happen("keydown", { target });
-  set({ l1: 2 });
-  history.undo();
-  assert.equal(store.get().document.l1, 1);
+  for (const l1 of [1, 2]) {
+    for (const event of ["pointerdown", "pointerup", "click"]) happen(event);
+    set({ l1 });
+  }
+  for (const l1 of [3, 4, 5]) {
+    happen("keydown", { repeat: l1 > 3 });
+    happen("click");
+    set({ l1 });
+  }
+  happen("keyup");
+  for (const before of [2, 1, 0]) {
+    history.undo();
+    assert.equal(store.get().document.l1, before);
+  }
 });
 
 test("where the driver stands, playing, speed and language make no step and are not undone", () => {

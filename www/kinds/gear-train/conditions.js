@@ -1,6 +1,7 @@
 // Conditions of assembly of a train with their numbers, suggested numbers of teeth if a condition fails, and mobility.
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
 import { withSubscripts } from "assur/core/subscripts.js";
 import { edited } from "assur/state/state.js";
@@ -33,10 +34,10 @@ export class ConditionsView {
     const { conditions, builds, suggestions, in_contact: contact } = summary;
     write(this.#said, words.text(builds ? "build.builds" : "build.fails"));
     this.#said.dataset.holds = String(builds);
-    this.#list.replaceChildren(...conditions.map((one) => condition(one, words)));
+    render(conditions.map((one) => condition(one, words)), this.#list);
     const near = suggestions.map((one) => this.#offer(one, words));
-    const heading = make("h3", {}, [words.text("suggestions.heading")]);
-    this.#near.replaceChildren(...(builds ? [] : [heading, near.length > 0 ? make("ul", { class: "train-list" }, near) : words.text("suggestions.none")]));
+    const offered = near.length > 0 ? html`<ul class="train-list">${near}</ul>` : words.text("suggestions.none");
+    render(builds ? nothing : html`<h3>${words.text("suggestions.heading")}</h3>${offered}`, this.#near);
     const planar = (state.document.form ?? "planar") === "planar";
     this.#contact.hidden = !planar;
     write(this.#contact, contact == null ? words.text("build.no_contact") : words.text("build.contact", { z2: words.numbers.exact(contact) }));
@@ -49,11 +50,10 @@ export class ConditionsView {
    */
   #offer({ z1, z2, z2_step: step, z4 }, words) {
     const numbers = [["z₁", z1], ["z₂", z2], ["z₂′", step], ["z₄", z4]].filter(([, value]) => value != null);
-    const take = make("button", { class: "control", type: "button" }, [words.text("suggestions.take")]);
+    const take = words.text("suggestions.take");
     const said = numbers.map(([symbol, value]) => `${symbol} = ${words.numbers.exact(Number(value))}`).join(", ");
-    take.ariaLabel = `${words.text("suggestions.take")}: ${said}`;
-    take.addEventListener("click", () => this.#store.update((state) => edited(state, "gear-train", () => ({ z1, z2, z4, ...(step == null ? {} : { z2_step: step }) }))));
-    return make("li", {}, [make("span", {}, [said]), take]);
+    const act = () => this.#store.update((state) => edited(state, "gear-train", () => ({ z1, z2, z4, ...(step == null ? {} : { z2_step: step }) })));
+    return html`<li><span>${said}</span><button class="control" type="button" aria-label="${take}: ${said}" @click=${act}>${take}</button></li>`;
   }
 }
 
@@ -63,9 +63,9 @@ export class ConditionsView {
  */
 function condition({ kind, left, right, met, shifted }, words) {
   const [one, other] = [left, right].map((value) => words.numbers.upTo(value, 4));
-  const mark = make("b", { "data-holds": String(met) }, [met ? "✓" : "✗", make("span", { class: "unseen" }, [` ${words.text(met ? "build.met" : "build.unmet")}`])]);
+  const mark = html`<b data-holds=${met}>${met ? "✓" : "✗"}<span class="unseen"> ${words.text(met ? "build.met" : "build.unmet")}</span></b>`;
   const said = words.text(`condition.${kind}`, { left: one, right: other });
-  return make("li", {}, [mark, make("span", {}, withSubscripts(shifted ? `${said} ${words.text("condition.shifted")}` : said))]);
+  return html`<li>${mark}<span>${withSubscripts(shifted ? `${said} ${words.text("condition.shifted")}` : said)}</span></li>`;
 }
 
 /**

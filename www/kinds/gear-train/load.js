@@ -2,6 +2,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { change, inputNow } from "assur/state/change.js";
@@ -91,9 +92,8 @@ export class LoadView {
    * @param {Words} words
    */
   #tell(readouts, words) {
-    this.#energies.replaceChildren(...ENERGIES.filter((name) => readouts?.value(name) !== undefined).map((name) => make("tr", {}, [
-      make("th", { scope: "row" }, [words.text(`energy.${name}`)]), make("td", {}, [words.numbers.brief(readouts?.value(name) ?? 0)]),
-    ])));
+    const known = ENERGIES.filter((name) => readouts?.value(name) !== undefined);
+    render(known.map((name) => html`<tr><th scope="row">${words.text(`energy.${name}`)}</th><td>${words.numbers.brief(readouts?.value(name) ?? 0)}</td></tr>`), this.#energies);
   }
 }
 

@@ -1,6 +1,7 @@
 // The six transmission ratios with formulas and numbers, the identities between them, torques and powers of the shafts.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
@@ -45,19 +46,17 @@ export class RatiosView {
     const weights = state.document.form === "stepped" ? STEPPED : WEIGHTS;
     const hidden = withheld.has("train-ratios");
     const marked = (/** @type {Ratio} */ { largest }) => largest && !withheld.has("train-largest");
-    this.#body.replaceChildren(...summary.ratios.map((ratio) => make("tr", { class: marked(ratio) ? "largest" : "" }, [
-      make("th", { scope: "row" }, [notation(ratio.name), ...(marked(ratio) ? [make("small", {}, [` ${words.text("ratios.largest")}`])] : [])]),
-      make("td", {}, [formula(ratio, weights)]),
-      make("td", {}, [hidden ? "?" : `${numbers.exact(ratio.numerator)}/${numbers.exact(ratio.denominator)}`]),
-      make("td", {}, [hidden ? "?" : numbers.upTo(ratio.value, 5)]),
-    ])));
+    render(summary.ratios.map((ratio) => html`<tr class=${marked(ratio) ? "largest" : ""}>
+      <th scope="row">${notation(ratio.name)}${marked(ratio) ? html`<small> ${words.text("ratios.largest")}</small>` : nothing}</th>
+      <td>${formula(ratio, weights)}</td>
+      <td>${hidden ? "?" : `${numbers.exact(ratio.numerator)}/${numbers.exact(ratio.denominator)}`}</td>
+      <td>${hidden ? "?" : numbers.upTo(ratio.value, 5)}</td></tr>`), this.#body);
     const lines = summary.identities.map(({ terms, sum }) => `${terms.map(notation).join(" + ")} = ${numbers.exact(sum)}`);
-    this.#identities.replaceChildren(...lines.flatMap((line, i) => (i > 0 ? [make("br"), line] : [line])));
-    this.#shafts.replaceChildren(.../** @type {Shaft[]} */ (Object.keys(SHAFTS)).map((shaft) => make("tr", { style: `--accent: var(--role-${SHAFTS[shaft].role})` }, [
-      make("th", { scope: "row" }, [`${SHAFTS[shaft].number} ${called(shaft, words)}`]),
-      ...[summary.torques[shaft], summary.speeds[shaft], summary.powers[shaft]].map((value, column) =>
-        make("td", {}, [column > 0 && asksSpeed(shaft, withheld) ? "?" : numbers.upTo(value, 3)])),
-    ])));
+    render(lines.map((line, i) => html`${i > 0 ? html`<br>` : nothing}${line}`), this.#identities);
+    render(/** @type {Shaft[]} */ (Object.keys(SHAFTS)).map((shaft) => html`<tr .style=${`--accent: var(--role-${SHAFTS[shaft].role})`}>
+      <th scope="row">${SHAFTS[shaft].number} ${called(shaft, words)}</th>
+      ${[summary.torques[shaft], summary.speeds[shaft], summary.powers[shaft]].map((value, column) =>
+        html`<td>${column > 0 && asksSpeed(shaft, withheld) ? "?" : numbers.upTo(value, 3)}</td>`)}</tr>`), this.#shafts);
   }
 }
 

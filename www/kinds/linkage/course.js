@@ -1,9 +1,10 @@
 // The plotted output over a turn: stroke, dwell and cyclogram in the rail; the dwell shaded and magnified on the plots.
 import { NumberRow } from "assur/controls/number-row.js";
-import { writeReadout } from "assur/controls/readout.js";
+import { readoutCell } from "assur/controls/readout.js";
 import { fold } from "assur/controls/section.js";
-import { cellOf, idOfOutput } from "assur/controls/shown.js";
+import { cellOf } from "assur/controls/shown.js";
 import { make, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
@@ -149,7 +150,7 @@ export class CourseView {
   /** Key of the mechanism for which the page last folded or unfolded the section. */
   #folded = "";
   #name = make("caption");
-  #rows = ROWS.map((name) => ({ title: make("th", { scope: "row" }), output: make("td", { id: idOfOutput(`course-${name}`) }) }));
+  #rows = make("tbody");
   #readouts;
   #bars = make("div", { id: "cyclogram", class: "cyclogram", role: "img" });
   #phases = make("p", { class: "note phases" });
@@ -166,7 +167,7 @@ export class CourseView {
     this.#fold.append(
       make("summary", { "data-t": "dwell.heading" }),
       this.#row.element,
-      make("table", { class: "course" }, [this.#name, make("tbody", {}, this.#rows.map(({ title, output }) => make("tr", {}, [title, output])))]),
+      make("table", { class: "course" }, [this.#name, this.#rows]),
       make("div", { id: "cyclogram-figure" }, [this.#bars, this.#phases]),
       this.#design.element,
     );
@@ -194,10 +195,7 @@ export class CourseView {
     if (stale) return;
     write(this.#name, called(plotted[0].replace(/\.angle$/, ""), words));
     const rows = courseRows(profile, snapshot);
-    rows.forEach(({ title, cells: [cell] }, i) => {
-      write(this.#rows[i].title, title);
-      writeReadout(this.#rows[i].output, cell);
-    });
+    render(rows.map(({ title, cells }) => html`<tr><th scope="row">${title}</th>${cells.map(readoutCell)}</tr>`), this.#rows);
     this.#readouts.put("course", rows);
     this.#draw(profile, summary, (input) => coordinate.short(input, words, DECIMALS), words);
   }
@@ -212,22 +210,21 @@ export class CourseView {
     const period = end - start;
     /** @type {string[]} */
     const told = [];
-    /** @type {HTMLElement[]} */
+    /** @type {import("lit-html").TemplateResult[]} */
     const bars = [];
-    const key = phases.map(({ kind }) => make("i", { class: "swatch", style: `background: var(--role-${ROLES[kind]})`, "aria-hidden": "true" }));
     for (const { kind, arc: [from, to] } of phases) {
       told.push(words.text("dwell.bar", { phase: words.text(`dwell.${kind}`), from: turned(from % period), to: turned(to % period) }));
       // A phase that crosses the end of the turn continues at the start of the turn.
       for (const shift of [-period, 0, period]) {
         const [left, right] = [Math.max(from + shift, start), Math.min(to + shift, end)].map((input) => (100 * (input - start)) / period);
         if (right <= left) continue;
-        bars.push(make("i", { class: kind, style: `left: ${left.toFixed(3)}%; width: ${(right - left).toFixed(3)}%; --accent: var(--role-${ROLES[kind]})` }));
+        bars.push(html`<i class=${kind} .style=${`left: ${left.toFixed(3)}%; width: ${(right - left).toFixed(3)}%; --accent: var(--role-${ROLES[kind]})`}></i>`);
       }
     }
-    this.#bars.replaceChildren(...bars);
+    render(bars, this.#bars);
     this.#bars.ariaLabel = [words.text("dwell.chart", { name: called(plotted[0].replace(/\.angle$/, ""), words) }), ...told].join("; ");
     this.#bars.title = told.join("\n");
-    this.#phases.replaceChildren(...told.map((one, i) => make("span", {}, [key[i], one])));
+    render(told.map((one, i) => html`<span><i class="swatch" aria-hidden="true" .style=${`background: var(--role-${ROLES[phases[i].kind]})`}></i>${one}</span>`), this.#phases);
   }
 }
 

@@ -14,7 +14,6 @@ const PATIENCE = Object.freeze({ timeout: 20_000 });
 
 globalThis.Worker = Worker;
 globalThis.fetch = fetchFile;
-HTMLElement.prototype.focus = () => {};
 afterEach(endWorkers);
 
 /** The search on a page; `press` presses one of its buttons, `until` waits for what it says. */
@@ -22,7 +21,7 @@ function begin({ signal }) {
   const page = new Page("class4-dwell");
   const view = new DesignView(page);
   view.render(page.now());
-  const find = (id) => view.element.all.find(({ attributes }) => attributes.id === id);
+  const find = (id) => view.element.querySelector(`#${id}`);
   const press = (id) => find(id).dispatchEvent(new Event("click"));
   const until = async (holds) => {
     while (!signal.aborted && !holds(find("design-progress").textContent)) await new Promise((done) => setTimeout(done, 5));
@@ -33,7 +32,7 @@ function begin({ signal }) {
 test("lengths may change of links with two points only", PATIENCE, (t) => {
   const { page, find } = begin(t);
   const { links } = page.store.get().document;
-  for (const [index, { name, points }] of links.entries()) assert.equal(find(`design-move-${index}`) !== undefined, points.length === 2, name);
+  for (const [index, { name, points }] of links.entries()) assert.equal(find(`design-move-${index}`) !== null, points.length === 2, name);
 });
 
 test("a search whose stack overflows says that it broke, ten in a row, and the next one searches", PATIENCE, async (t) => {

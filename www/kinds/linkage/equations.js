@@ -1,6 +1,7 @@
 // The constraint equations of a linkage at the current input: both sides of each equation, and their difference.
 import { degrees } from "assur/core/angles.js";
-import { byId, make, setData, write } from "assur/core/dom.js";
+import { byId, make, setData } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { attempt } from "assur/core/problem.js";
 import { STROKES } from "assur/core/quantity.js";
@@ -31,11 +32,8 @@ export class EquationsView {
   #body = make("tbody");
   #table = make("table", { class: "course" }, [this.#body]);
   #details;
-  /** @type {HTMLElement[][]} cells of each equation */
-  #cells = [];
   /** @type {Snapshot | null} */
   #snapshot = null;
-  #built = new Seen();
   #written = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -80,42 +78,29 @@ export class EquationsView {
     if (this.#order.dataset.n !== coordinate.symbol) this.#name(coordinate.symbol, words);
     setData(this.#table, "faded", String(stale));
     const order = Number(this.#order.value);
-    this.#build(summary.equations, order, words);
+    this.#note.hidden = order === 0;
     if (stale || this.#written.same(summary, order, input, words, problems.length)) return;
     const { value: sides } = attempt(() => this.#engine.simulator.equations(input, order));
-    summary.equations.forEach(({ kind }, row) => {
-      const angle = order === 0 && (kind === "direction" || kind === "mesh");
-      SIDES.forEach((side, column) => {
-        const cell = this.#cells[row][column];
+    render(summary.equations.map((equation, row) => html`<tr>
+      <th id="equation-${row}" scope="row">${spelled(equation, order, words)}</th>
+      ${SIDES.map((side, column) => {
         const value = sides?.[SIDES.length * row + column];
-        if (value === undefined) {
-          write(cell, NONE);
-          delete cell.dataset.value;
-          return;
-        }
-        cell.dataset.value = String(value);
-        const shown = angle ? degrees(value) : value;
-        write(cell, (side === "residual" ? scientific(shown, words) : decimal(shown, words)) + (angle ? "°" : ""));
-      });
-    });
+        return html`<td id="equation-${row}-${side}" data-value=${value ?? nothing}>${value === undefined ? NONE : valued(value, side, equation, order, words)}</td>`;
+      })}</tr>`), this.#body);
   }
+}
 
-  /**
-   * @param {readonly Equation[]} equations
-   * @param {number} order
-   * @param {Words} words
-   */
-  #build(equations, order, words) {
-    if (this.#built.same(JSON.stringify(equations), order, words)) return;
-    this.#written = new Seen();
-    this.#note.hidden = order === 0;
-    const rows = equations.map((equation, row) => {
-      const cells = SIDES.map((side) => make("td", { id: `equation-${row}-${side}` }));
-      this.#cells[row] = cells;
-      return make("tr", {}, [make("th", { id: `equation-${row}`, scope: "row" }, spelled(equation, order, words)), ...cells]);
-    });
-    this.#body.replaceChildren(...rows);
-  }
+/**
+ * @param {number} value
+ * @param {typeof SIDES[number]} side
+ * @param {Equation} equation
+ * @param {number} order
+ * @param {Words} words
+ */
+function valued(value, side, { kind }, order, words) {
+  const angle = order === 0 && (kind === "direction" || kind === "mesh");
+  const shown = angle ? degrees(value) : value;
+  return (side === "residual" ? scientific(shown, words) : decimal(shown, words)) + (angle ? "°" : "");
 }
 
 /**
@@ -124,7 +109,7 @@ export class EquationsView {
  * @param {readonly string[]} subscripts
  */
 function formula(texts, ...subscripts) {
-  return texts.flatMap((text, i) => [text, ...(i < subscripts.length ? [make("sub", {}, [subscripts[i]])] : [])]);
+  return texts.map((text, i) => html`${text}${i < subscripts.length ? html`<sub>${subscripts[i]}</sub>` : nothing}`);
 }
 
 /**
@@ -140,7 +125,7 @@ function together(...names) {
  * @param {Equation} equation
  * @param {number} order
  * @param {Words} words
- * @returns {(Node | string)[]}
+ * @returns {unknown[]}
  */
 function spelled(equation, order, words) {
   const stroke = STROKES[order];

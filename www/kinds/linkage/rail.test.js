@@ -1,7 +1,7 @@
 // Rows of the rail: of which link and points each dimension is stands there once.
 import assert from "node:assert/strict";
 import test from "node:test";
-import "assur/tests/document.js";
+import { all } from "assur/tests/document.js";
 import { LinkageRail } from "assur/kinds/linkage/rail.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
@@ -14,10 +14,10 @@ const page = { engine, drafts: { has: () => false, drop() {}, text: () => null }
 function rows(state) {
   const snapshot = snapshotOf(engine, state);
   new LinkageRail(page).render(snapshot);
-  const all = globalThis.document.getElementById("fold-dimensions").children.at(-1).querySelectorAll("[data-field]");
+  const fields = all(globalThis.document.getElementById("fold-dimensions").lastElementChild, "[data-field]");
   const isOfPoint = (row) => row.getAttribute("data-field").startsWith("points");
-  return [all.filter((row) => !isOfPoint(row)), all.filter(isOfPoint)].map((rows) => rows.map((row) => {
-    const field = row.all.find(({ attributes }) => attributes.type === "text");
+  return [fields.filter((row) => !isOfPoint(row)), fields.filter(isOfPoint)].map((rows) => rows.map((row) => {
+    const field = row.querySelector("[type=text]");
     return [row.querySelector("label").textContent, field.getAttribute("aria-label")];
   }));
 }

@@ -1,6 +1,6 @@
 // The status line of a linkage: its structure, its assembly, the limits of its motion.
 import { called, calledIn, numbered } from "assur/core/names.js";
-import { make } from "assur/core/dom.js";
+import { html } from "assur/core/html.js";
 import { subscript } from "assur/core/symbols.js";
 
 /**
@@ -55,9 +55,9 @@ function entry(name, title, text, how) {
  */
 function coloured(groups, words) {
   const terms = groups.map(({ term }) => calledIn(term, words));
-  const swatch = (/** @type {string} */ role) => make("i", { class: "swatch", style: `--accent: var(--role-${role})`, "data-role": role, "aria-hidden": "true" });
-  const nodes = groups.flatMap(({ role }, i) => [...(i > 0 ? [" → "] : []), make("span", { class: "group" }, [swatch(role), terms[i]])]);
-  return { text: terms.join(" → "), nodes };
+  const marked = groups.map(({ role }, i) =>
+    html`${i > 0 ? " → " : ""}<span class="group"><i class="swatch" .style=${`--accent: var(--role-${role})`} data-role=${role} aria-hidden="true"></i>${terms[i]}</span>`);
+  return { text: terms.join(" → "), marked };
 }
 
 /**

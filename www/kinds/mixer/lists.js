@@ -2,6 +2,7 @@
 import { NumberRow } from "assur/controls/number-row.js";
 import { degrees } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { subscript } from "assur/core/symbols.js";
 import { WHEELS, wheelLink, wheelOf } from "assur/kinds/mixer/wheels.js";
 import { TRACERS } from "assur/state/state.js";
@@ -108,11 +109,9 @@ function tracerCard(index, put, drafts, remove) {
       const { wheels } = state.document;
       if (offered !== `${wheels.length} ${words.lang}`) {
         offered = `${wheels.length} ${words.lang}`;
-        const links = Object.entries(LINKS).map(([value, key]) => make("option", { value }, [words.text(key)]));
-        const more = wheels.map((_, wheel) =>
-          make("option", { value: wheelLink(wheel) }, [words.text("name.wheels.z", { n: String(wheel + WHEELS.first) })]),
-        );
-        select.replaceChildren(...links, ...more);
+        const links = Object.entries(LINKS).map(([value, key]) => [value, words.text(key)]);
+        const more = wheels.map((_, wheel) => [wheelLink(wheel), words.text("name.wheels.z", { n: String(wheel + WHEELS.first) })]);
+        render([...links, ...more].map(([value, text]) => html`<option value=${value}>${text}</option>`), select);
       }
       select.value = tracer.link;
       head.style.setProperty("--accent", `var(--role-${summary.roles[tracer.link] ?? "secondary"})`);

@@ -1,6 +1,7 @@
 // Mobility and redundant constraints, by the formulas of textbooks and contour by contour.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
 import { actual, asked, freedomsOf, structural, sum, symbolOf } from "assur/kinds/scheme/sums.js";
 
@@ -21,8 +22,8 @@ export class FormulasView {
     this.#element.hidden = state.document.task != null;
     if (stale || this.#shown.same(summary, words, stale, withheld)) return;
     const lines = [...classical(snapshot), ...byLoops(snapshot)];
-    const said = lines.flatMap(([name, ...formulas]) => [make("h3", {}, [name]), ...formulas.map((one) => make("p", {}, [one]))]);
-    this.#body.replaceChildren(make("p", {}, [words.text("formulas.symbols")]), ...said);
+    const said = lines.map(([name, ...formulas]) => html`<h3>${name}</h3>${formulas.map((one) => html`<p>${one}</p>`)}`);
+    render(html`<p>${words.text("formulas.symbols")}</p>${said}`, this.#body);
   }
 }
 

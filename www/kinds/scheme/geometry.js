@@ -1,6 +1,7 @@
 // Rank of the constraints in the given geometry, and replacements of pairs after which no constraint is redundant.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { asked } from "assur/kinds/scheme/sums.js";
@@ -37,7 +38,7 @@ export class GeometryView {
     geometry.hidden = state.document.task != null;
     mended.hidden = geometry.hidden || !summary.mended || (summary.space?.redundant ?? 0) === 0;
     if (stale || this.#shown.same(summary, words, stale, withheld)) return;
-    this.#body.replaceChildren(...lines(snapshot).map((line) => make("p", {}, [line])));
+    render(lines(snapshot).map((line) => html`<p>${line}</p>`), this.#body);
     this.#showMended(summary, words);
   }
 
@@ -50,15 +51,16 @@ export class GeometryView {
     const rows = list.map((changes, i) => {
       const n = i + 1;
       const said = changes.map(({ pair, kind }) => words.text("replace.change", { pair, kind: words.text(`pair.${kind}`) })).join("; ");
-      const take = make("button", { id: `mended-${n}`, class: "control", type: "button", "aria-label": `${words.text("replace.take")}: ${said}` }, [words.text("replace.take")]);
-      take.addEventListener("click", () => change(() => this.#page.engine.simulator.setDimension("mended", n, 0), "pairs", this.#page));
-      return make("li", {}, [make("span", {}, [said]), take]);
+      const take = words.text("replace.take");
+      const act = () => change(() => this.#page.engine.simulator.setDimension("mended", n, 0), "pairs", this.#page);
+      return html`<li><span>${said}</span><button id="mended-${n}" class="control" type="button" aria-label="${take}: ${said}" @click=${act}>${take}</button></li>`;
     });
-    const said = words.text(rows.length > 0 ? "replace.said" : "replace.none");
-    const rest = rows.splice(SHOWN);
-    const more = rest.length > 0 ? [make("details", {}, [make("summary", {}, [words.text("replace.more")]), make("ul", { class: "mended" }, rest)])] : [];
-    const beyond = complete ? [] : [make("p", {}, [words.text("replace.beyond")])];
-    this.#mended.replaceChildren(make("p", {}, [said]), make("ul", { class: "mended" }, rows), ...more, ...beyond);
+    const rest = rows.slice(SHOWN);
+    render(html`
+      <p>${words.text(rows.length > 0 ? "replace.said" : "replace.none")}</p>
+      <ul class="mended">${rows.slice(0, SHOWN)}</ul>
+      ${rest.length > 0 ? html`<details><summary>${words.text("replace.more")}</summary><ul class="mended">${rest}</ul></details>` : nothing}
+      ${complete ? nothing : html`<p>${words.text("replace.beyond")}</p>`}`, this.#mended);
   }
 }
 

@@ -1,6 +1,7 @@
 // The method of sections: cuts step by step, the count of the open chain, and the resulting mobility.
 import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { actual, asked, freedomsOf, sum } from "assur/kinds/scheme/sums.js";
@@ -43,7 +44,7 @@ export class MethodView {
     this.#step.disabled = summary.automatic.length === 0;
     this.#join.disabled = document.cut.length === 0;
     const lines = stale ? [] : this.#lines(snapshot);
-    this.#said.replaceChildren(...lines.map((line) => make("p", {}, [line])));
+    render(lines.map((line) => html`<p>${line}</p>`), this.#said);
   }
 
   /** @param {Snapshot} snapshot */

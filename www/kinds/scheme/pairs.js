@@ -3,6 +3,7 @@ import { CardList } from "assur/controls/card-list.js";
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { Seen } from "assur/core/seen.js";
 import { edited } from "assur/state/state.js";
@@ -130,7 +131,7 @@ export class PairsView {
         freedoms.value = String(pair.freedoms ?? 1);
         this.#showLinks(links, index, pair, document, words);
         const known = summary.pairs.find((one) => one.name === pair.name)?.cuts ?? [];
-        this.#showCuts(cuts, n, known, document, words);
+        render(known.map((name, at) => this.#cut(name, known.length > 1 ? `cut-${n}-${at + 1}` : `cut-${n}`, known.length > 1 ? `✂ ${name}` : words.text("pairs.cut"), document)), cuts);
         for (const { part, k, box, field, element } of boxes) {
           const value = pair[part]?.[k];
           element.hidden = part === "at" && k === 2 && document.planar;
@@ -149,44 +150,25 @@ export class PairsView {
    */
   #showLinks(container, index, pair, document, words) {
     const all = [...new Set([document.ground, ...document.pairs.flatMap(({ links }) => links)])];
-    const made = JSON.stringify([words.lang, all, pair.links.length]);
-    if (container.dataset.made !== made) {
-      container.dataset.made = made;
-      const focused = container.contains(window.document.activeElement) ? window.document.activeElement?.id : undefined;
-      container.replaceChildren(...pair.links.map((_, at) => {
-        const id = `pair-link-${index + 1}-${at + 1}`;
-        const select = make("select", { id, class: "control", "aria-label": words.text("field.pairs.link", { n: String(index + 1), place: String(at + 1) }) }, [
-          ...all.map((link) => make("option", { value: link }, [called(link, words)])), make("option", { value: NEW }, [words.text("pairs.new_link")]),
-        ]);
-        select.addEventListener("change", () => this.#join(index, at, select.value));
-        return select;
-      }));
-      if (focused) window.document.getElementById(focused)?.focus();
-    }
+    render(pair.links.map((_, at) => html`<select id="pair-link-${index + 1}-${at + 1}" class="control"
+      aria-label=${words.text("field.pairs.link", { n: String(index + 1), place: String(at + 1) })}
+      @change=${(/** @type {Event & { target: HTMLSelectElement }} */ { target }) => this.#join(index, at, target.value)}>
+      ${all.map((link) => html`<option value=${link}>${called(link, words)}</option>`)}
+      <option value=${NEW}>${words.text("pairs.new_link")}</option></select>`), container);
     [...container.querySelectorAll("select")].forEach((select, at) => (select.value = pair.links[at]));
   }
 
   /**
-   * @param {HTMLElement} container
-   * @param {string} n
-   * @param {readonly string[]} known possible cuts of the pair
+   * @param {string} name of a cut
+   * @param {string} id
+   * @param {string} said
    * @param {Document} document
-   * @param {Words} words
    */
-  #showCuts(container, n, known, { cut }, words) {
-    const made = JSON.stringify([words.lang, known]);
-    if (container.dataset.made !== made) {
-      container.dataset.made = made;
-      container.replaceChildren(...known.map((name, at) => {
-        const id = known.length > 1 ? `cut-${n}-${at + 1}` : `cut-${n}`;
-        const box = make("input", { id, type: "checkbox", "data-cut": name });
-        box.addEventListener("change", () => this.#edit((document) => (
-          { cut: box.checked ? [...document.cut, name] : document.cut.filter((one) => one !== name) }
-        )));
-        return make("label", { class: "check" }, [box, " ", known.length > 1 ? `✂ ${name}` : words.text("pairs.cut")]);
-      }));
-    }
-    for (const box of container.querySelectorAll("input")) box.checked = cut.includes(box.dataset.cut ?? "");
+  #cut(name, id, said, { cut }) {
+    const act = (/** @type {Event & { target: HTMLInputElement }} */ { target }) => this.#edit((document) => (
+      { cut: target.checked ? [...document.cut, name] : document.cut.filter((one) => one !== name) }
+    ));
+    return html`<label class="check"><input id=${id} type="checkbox" data-cut=${name} .checked=${cut.includes(name)} @change=${act}> ${said}</label>`;
   }
 }
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import "assur/tests/document.js";
+import { all, clear } from "assur/tests/document.js";
 import { FormulasView } from "assur/kinds/scheme/formulas.js";
 import { GeometryView } from "assur/kinds/scheme/geometry.js";
 import { MethodView } from "assur/kinds/scheme/method.js";
@@ -22,11 +22,11 @@ const page = globalThis.document;
 function told({ kind, document }) {
   const closed = engine.set(initialState(kind, { ...document, cut: [] }, {}));
   const snapshot = snapshotOf(engine, initialState(kind, { ...document, cut: closed.automatic }, { lang: "en" }));
-  page.sections = [];
+  clear();
   const views = [new FormulasView(), new GeometryView({}), new MethodView({}), new Description()];
   for (const view of views) view.render(snapshot);
   const { summary, words } = snapshot;
-  const lines = page.sections.flatMap((section) => section.all).filter(({ tagName }) => tagName === "P").map(({ textContent }) => textContent)
+  const lines = all(page.getElementById("rail"), "p").map(({ textContent }) => textContent)
     // Of the scheme with other pairs.
     .filter((line) => line !== words.text("replace.said"));
   // Of a sum what it comes to.
@@ -46,9 +46,9 @@ test("where a lesson asks for W by the count alone, W by rank is there to be com
   const { kind, document } = PRESETS.tilted;
   const snapshot = snapshotOf(engine, initialState(kind, document, { lang: "en" }));
   const shown = (/** @type {readonly string[]} */ ...withheld) => {
-    page.sections = [];
+    clear();
     new GeometryView({}).render({ ...snapshot, withheld: new Set(withheld) });
-    return page.sections[0].all.map(({ textContent }) => textContent).join("\n");
+    return all(page.getElementById("rail"), "section p").map(({ textContent }) => textContent).join("\n");
   };
   assert.match(shown("scheme-w"), /W = 0,.*W = \?:/s);
   assert.match(shown("scheme-w", "scheme-rank"), /W = \?,.*W = \?:/s);

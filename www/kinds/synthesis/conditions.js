@@ -1,6 +1,7 @@
 // Conditions and theorems of the paper at the coupler angle of each position: as printed, beside the true results.
 import { radians } from "assur/core/angles.js";
 import { make } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { cone } from "assur/kinds/synthesis/cone.js";
@@ -40,10 +41,10 @@ export class ConditionsView {
     if (this.#shown.same(summary, words, this.#theme.revision, withheld)) return;
     this.#snapshot = snapshot;
     const hidden = withheld.has(ANSWER);
-    this.#content.replaceChildren(...summary.wanted.flatMap((one, k) => [
+    render(summary.wanted.map((one, k) => [
       table(one, k + 1, words, hidden),
       cone([frame, one.at, one.output, one.input], hidden ? words.text("lesson.asked") : words.text(one.interval ? "cone.inside" : "cone.outside", { n: String(k + 1) })),
-    ]));
+    ]), this.#content);
     this.#region.element.ariaLabel = words.text("region.label");
     this.#paint();
   }
@@ -72,15 +73,13 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words, h
   const judged = theorems.map(({ number, conditions: asked, truth }) => row(words.text("conditions.theorem", { n: String(number) }), words.text(JUDGED[`${asked} ${truth}`]), [asked, truth], words, asked && !truth));
   const between = (ranges ?? []).map((range, i) => rangeRow(`l${"₂₃"[i]} > 0`, range ? ends("conditions.range", range, words) : words.text("conditions.never")));
   const name = words.text("conditions.of", { n: String(k), coupler: numbers.angle(at, 3) });
-  const heads = ["conditions.printed", "conditions.truth"].map((key) => make("th", { scope: "col" }, [words.text(key)]));
-  return make("table", { class: "solutions conditions" }, [
-    make("caption", {}, [name]),
-    make("thead", {}, [make("tr", {}, [make("td", { colspan: "2" }), ...heads])]),
-    make("tbody", {}, [
-      ...rows, ...left, ...(hidden ? [] : judged), ...between,
-      rangeRow(words.text("conditions.truth"), hidden ? `? (${words.text("lesson.asked")})` : interval ? ends(interval[0] === interval[1] ? "conditions.single" : "conditions.interval", interval, words) : words.text("conditions.empty"), "truth"),
-    ]),
-  ]);
+  const heads = ["conditions.printed", "conditions.truth"].map((key) => html`<th scope="col">${words.text(key)}</th>`);
+  const known = interval ? ends(interval[0] === interval[1] ? "conditions.single" : "conditions.interval", interval, words) : words.text("conditions.empty");
+  const truth = hidden ? `? (${words.text("lesson.asked")})` : known;
+  return html`<table class="solutions conditions">
+    <caption>${name}</caption>
+    <thead><tr><td colspan="2"></td>${heads}</tr></thead>
+    <tbody>${rows}${left}${hidden ? [] : judged}${between}${rangeRow(words.text("conditions.truth"), truth, "truth")}</tbody></table>`;
 }
 
 /** Name under which lessons hide the lengths that are positive in fact. */
@@ -99,7 +98,7 @@ const JUDGED = Object.freeze(/** @type {Readonly<Record<string, string>>} */ ({
  * @param {boolean} [fails] whether the row shows a theorem that is false for this position
  */
 function row(name, said, verdicts, words, fails = false) {
-  return make("tr", fails ? { "data-fails": "" } : {}, [make("th", { scope: "row" }, [name]), make("td", {}, [said]), ...verdicts.map((holds) => mark(holds, words))]);
+  return html`<tr ?data-fails=${fails}><th scope="row">${name}</th><td>${said}</td>${verdicts.map((holds) => mark(holds, words))}</tr>`;
 }
 
 /**
@@ -107,9 +106,8 @@ function row(name, said, verdicts, words, fails = false) {
  * @param {Words} words
  */
 function mark(holds, words) {
-  if (holds === null) return make("td", {}, ["—"]);
-  const said = make("span", { class: "unseen" }, [words.text(holds ? "conditions.holds" : "conditions.fails")]);
-  return make("td", { "data-holds": String(holds) }, [holds ? "✓" : "✗", said]);
+  if (holds === null) return html`<td>—</td>`;
+  return html`<td data-holds=${holds}>${holds ? "✓" : "✗"}<span class="unseen">${words.text(holds ? "conditions.holds" : "conditions.fails")}</span></td>`;
 }
 
 /**
@@ -118,7 +116,7 @@ function mark(holds, words) {
  * @param {string} [kind]
  */
 function rangeRow(name, said, kind = "range") {
-  return make("tr", { class: kind }, [make("th", { scope: "row" }, [name]), make("td", { colspan: "3" }, [said])]);
+  return html`<tr class=${kind}><th scope="row">${name}</th><td colspan="3">${said}</td></tr>`;
 }
 
 /**

@@ -2,6 +2,7 @@
 // and coupler angles.
 import { NumberRow } from "assur/controls/number-row.js";
 import { make } from "assur/core/dom.js";
+import { html, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
 import { FamilyMap, LOOKS } from "assur/kinds/synthesis/map.js";
 import { section } from "assur/controls/section.js";
@@ -51,13 +52,13 @@ export class FamilyView {
     if (!family) return;
     this.#row.show(drawn.lengths[1], words, wrong);
     const parts = /** @type {(keyof typeof PARTS)[]} */ (Object.keys(PARTS));
-    this.#legend.replaceChildren(...parts.filter((part) => family.curve.verdicts.includes(part)).map((part) => entry(part, words)));
+    render(parts.filter((part) => family.curve.verdicts.includes(part)).map((part) => entry(part, words)), this.#legend);
     const long = (/** @type {number | null} */ end) => (end === null ? words.text("map.without_end") : words.numbers.short(end));
     const turned = (/** @type {number} */ end) => words.numbers.angle(end, 3);
-    this.#ranges.replaceChildren(
+    render([
       ...LENGTHS.map(({ symbol, key, role }, i) => range(symbol, words.text(key), role, family.lengths[i].map(long))),
       ...family.couplers.map((ends, k) => range("φ₁", words.text("positions.number", { n: String(k + 1) }), "coupler", ends.map(turned))),
-    );
+    ], this.#ranges);
   }
 }
 
@@ -68,8 +69,7 @@ export class FamilyView {
  * @param {readonly string[]} ends
  */
 function range(symbol, name, role, ends) {
-  const head = make("th", { scope: "row" }, [make("b", {}, [symbol]), ` ${name}`]);
-  return make("tr", { style: `--accent: var(--role-${role})` }, [head, make("td", {}, [ends.join(" … ")])]);
+  return html`<tr .style=${`--accent: var(--role-${role})`}><th scope="row"><b>${symbol}</b> ${name}</th><td>${ends.join(" … ")}</td></tr>`;
 }
 
 /**
@@ -79,5 +79,5 @@ function range(symbol, name, role, ends) {
 function entry(part, words) {
   const { role, dash } = LOOKS[part];
   const look = dash.length > 0 ? "dashed" : "solid";
-  return make("span", {}, [make("i", { class: `line ${look}`, style: `--accent: var(--role-${role})`, "aria-hidden": "true" }), words.text(PARTS[part])]);
+  return html`<span><i class="line ${look}" .style=${`--accent: var(--role-${role})`} aria-hidden="true"></i>${words.text(PARTS[part])}</span>`;
 }

@@ -1,6 +1,7 @@
 // The list of solutions with verdicts, which can be saved. The chosen one is drawn and can be opened in the simulator.
 import { degrees } from "assur/core/angles.js";
 import { make, write } from "assur/core/dom.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { download } from "assur/core/download.js";
 import { section } from "assur/controls/section.js";
 import { Seen } from "assur/core/seen.js";
@@ -55,11 +56,10 @@ export class SolutionsView {
     const { best = 0, starts = 0 } = found ?? {};
     const said = words.text(FROM[from], { best: words.numbers.exact(best), starts: words.numbers.exact(starts) });
     write(this.#said, turned ? `${said} ${words.text("solutions.turned")}` : said);
-    const focused = this.#body.contains(document.activeElement) ? document.activeElement?.id : undefined;
-    this.#body.replaceChildren(...listed(summary).map(([n, solution]) => this.#row(solution, n, from === "trial" ? 0 : (number ?? 1), words)));
-    if (focused) document.getElementById(focused)?.focus();
+    const chosen = from === "trial" ? 0 : (number ?? 1);
+    render(listed(summary).map(([n, solution]) => this.#row(solution, n, chosen, words)), this.#body);
     this.#sayOthers(summary, words);
-    this.#equation.replaceChildren(...wanted.map((one, k) => mainEquation(k + 1, one, summary.frame, words)));
+    render(wanted.map((one, k) => mainEquation(k + 1, one, summary.frame, words)), this.#equation);
   }
 
   /**
@@ -70,13 +70,10 @@ export class SolutionsView {
    */
   #row(solution, n, chosen, words) {
     const { numbers } = words;
-    const box = make("input", { id: `solution-${n}`, type: "radio", name: "solution" });
-    box.checked = n === chosen;
-    box.addEventListener("change", () => this.#page.store.update((state) => edited(state, "synthesis", () => ({ solution: n, trial: null }))));
+    const choose = () => this.#page.store.update((state) => edited(state, "synthesis", () => ({ solution: n, trial: null })));
     const lengths = solution.lengths.map((length, i) => `l${"₁₂₃"[i]} = ${numbers.short(length)}`).join("; ");
     const turned = solution.starts.some((start) => start !== 0) ? solution.starts.map((start, i) => `φ${"₂₃"[i]}₀ = ${words.numbers.angle(start, 3)}`) : [];
-    const label = make("label", { for: box.id }, [box, ` ${[lengths, ...turned].join("; ")}`]);
-    return make("tr", {}, [make("td", {}, [label, make("small", {}, [verdict(solution, words)])])]);
+    return html`<tr><td><label for="solution-${n}"><input id="solution-${n}" type="radio" name="solution" .checked=${n === chosen} @change=${choose}> ${[lengths, ...turned].join("; ")}</label><small>${verdict(solution, words)}</small></td></tr>`;
   }
 
   /**
@@ -155,7 +152,7 @@ function mainEquation(k, { output, input, error, at, open, equation: [left, cons
     `${said(left)} ${Math.abs(error) < EXACT ? "=" : "≠"} ${said(constant + byInput + byOutput)}`,
     `φ₁ = ${words.numbers.angle(at, 3)}: |l₁e₁ + l₂e₂ + l₃e₃ − l₀e₀| = ${length(open, words)} (${words.numbers.upTo((100 * (open < EXACT ? 0 : open)) / frame, 1)} %)`,
   ];
-  return make("p", {}, lines.flatMap((line, i) => (i > 0 ? [make("br"), line] : [line])));
+  return html`<p>${lines.map((line, i) => html`${i > 0 ? html`<br>` : nothing}${line}`)}</p>`;
 }
 
 /**

@@ -1,5 +1,5 @@
 // The figures of the lesson: the linear equations in numbers, and finite differences beside the exact analogues.
-import "assur/tests/document.js";
+import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Differences, differences } from "assur/lessons/class4-dwell/differences.js";
@@ -30,8 +30,8 @@ test("a step in the middle comes nearest to the exact ψ″", () => {
 test("six equations with their solutions of both orders hold in numbers", () => {
   const system = new System(engine);
   system.render({ input: Math.PI / 3, stale: false }, words);
-  const rows = system.element.all.filter(({ tagName, all }) => tagName === "TR" && all.some((cell) => cell.tagName === "TD"));
-  const numbers = rows.map((row) => row.all.filter(({ tagName }) => tagName === "TD").map(({ textContent }) => Number(textContent.replace("−", "-"))));
+  const rows = all(system.element, "tr:has(td)");
+  const numbers = rows.map((row) => all(row, "td").map(({ textContent }) => Number(textContent.replace("−", "-"))));
   assert.equal(numbers.length, 10);
   const [matrix, right, solutions] = [numbers.slice(0, 6), numbers.slice(6, 8), numbers.slice(8)];
   for (const [i, row] of matrix.entries()) {
@@ -46,7 +46,7 @@ test("the plot of differences has its scale: the greatest and the least ψ″", 
   const { cycle } = new Page("class4-dwell").now().summary;
   const figure = new Differences(engine);
   figure.render({ kind: "linkage", summary: { cycle }, stale: false }, words);
-  const ends = figure.element.all.filter(({ tagName }) => tagName === "TEXT").map(({ textContent }) => Number(textContent.replace("−", "-")));
+  const ends = all(figure.element, "text").map(({ textContent }) => Number(textContent.replace("−", "-")));
   const values = Array.from({ length: 360 }, (_, i) => engine.simulator.plotted(((i + 0.5) * Math.PI) / 180)[2]);
   assert.ok(Math.abs(ends[0] - Math.max(...values)) < 0.01 && Math.abs(ends[1] - Math.min(...values)) < 0.01, ends.join());
 });
