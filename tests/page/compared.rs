@@ -168,7 +168,7 @@ async fn what_a_cannot_do_is_said() {
         ),
         (
             "%7B%22kind%22:%22linkage%22,%22document%22:%7B%22points%22:%5B%5D,%22frame%22:%5B%5D,%22links%22:%5B%5D,%22drivers%22:%5B%5D%7D%7D",
-            "In mechanism A of the comparison:",
+            "In mechanism Ⓐ of the comparison:",
         ),
     ] {
         let url = format!("{}#jansen&compared={compared}", home());
@@ -184,6 +184,7 @@ async fn what_a_cannot_do_is_said() {
 
 /// The cells of a saved table, the first line those of its head.
 fn cells(table: &str) -> Vec<Vec<&str>> {
+    let table = table.trim_start_matches('\u{feff}');
     let lines = table.lines().filter(|line| !line.starts_with('#'));
     lines.map(|line| line.split(',').collect()).collect()
 }
