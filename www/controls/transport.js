@@ -60,6 +60,8 @@ export class Transport {
       store.update((state) => stoppedAt(state, value, model));
       return model.coordinate.of(store.get());
     });
+    // A drawing that does not move yet shows the speeds too.
+    this.#offer(store.get().view, model.coordinate.moves, page.words);
     this.#speed.addEventListener("change", () => {
       const { value } = this.#speed;
       const change = value === TRUE_TIME ? { true_time: true } : { speed: Number(value), true_time: false };
