@@ -95,8 +95,8 @@ test("beside a drawing stand the numbers that it is drawn with, not one that is 
 test("an address too long to be read from paper is not printed, and the sheet says so", () => {
   const foot = (/** @type {number} */ length) => {
     const { sheet } = print("mixer-a", false, (page) => Object.assign(page, { address: { link: () => "x".repeat(length) } }));
-    const footer = sheet.all.find(({ tagName }) => tagName === "FOOTER");
-    return [footer.all.some(({ tagName }) => tagName.toLowerCase() === "svg"), footer.textContent];
+    const [footer] = all(sheet, "footer");
+    return [all(footer, "svg").length > 0, footer.textContent];
   };
   assert.deepEqual(foot(80), [true, "x".repeat(80)]);
   assert.deepEqual(foot(600), [true, words.text("print.code")]);
