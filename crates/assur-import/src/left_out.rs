@@ -46,7 +46,7 @@ pub enum LeftOut {
     OneWay { names: Vec<String> },
     /// A crank that oscillated through this angle, in degrees, and now keeps rotating.
     Swing { link: String, angle: f64 },
-    /// An actuator that does not connect exactly two joints, and became a rigid link.
+    /// An actuator that does not connect exactly two hinges, and became a rigid link.
     Actuator { link: String },
     /// A driver that was moved only by hand and is now at rest.
     ByHand { link: String },

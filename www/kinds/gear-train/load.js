@@ -93,7 +93,8 @@ export class LoadView {
    */
   #tell(readouts, words) {
     const known = ENERGIES.filter((name) => readouts?.value(name) !== undefined);
-    render(known.map((name) => html`<tr><th scope="row">${words.text(`energy.${name}`)}</th><td>${words.numbers.brief(readouts?.value(name) ?? 0)}</td></tr>`), this.#energies);
+    const titled = known.map((name) => ({ title: words.text(`energy.${name}`), value: words.numbers.brief(readouts?.value(name) ?? 0) }));
+    render(titled.map(({ title, value }) => html`<tr><th scope="row">${title}</th><td>${value}</td></tr>`), this.#energies);
   }
 }
 
