@@ -29,8 +29,8 @@ const PASTE_OFFSET = 4;
 const EDGE = 8;
 
 /** The symbol unit on the screen: this part of the shorter side of the drawing, but not less or more than these pixels. */
-const SYMBOLS = 90;
-const SYMBOL = Object.freeze([4, 6.5]);
+const SYMBOLS = 130;
+const SYMBOL = Object.freeze([3.6, 4.6]);
 
 export class Drawing {
   #page;
