@@ -72,7 +72,7 @@ function drawTitle(context, panel, coordinate, words, theme) {
   font = setChartFont(context, theme, 12);
   const title = axisTitle(panel, coordinate, words);
   const proof = panel.differenced ? `  • ${words.text("plots.differenced", { of: firsts(panel, words) })}` : "";
-  // If there is no room for the whole title, only the unit is written.
+  // If there is no room for the whole title, the unit replaces the name of the quantity.
   const fits = right + textWidth(context, font, `  ${title}${proof}`) <= left + panel.width;
   write(`  ${fits ? title : unitOf(panel, coordinate, words)}`, theme.colours.secondary);
   write(proof, theme.colours.ink);

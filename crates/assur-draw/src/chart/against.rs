@@ -109,7 +109,7 @@ impl Against {
         self.role
     }
 
-    /// Returns the settings of the plot.
+    /// Settings with which the plot was made.
     pub fn settings(&self) -> Settings {
         self.settings
     }

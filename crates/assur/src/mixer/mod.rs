@@ -64,7 +64,7 @@ pub struct Dimensions {
     pub z4: f64,
     /// Wheels 5, 6, … around wheel 4, each with the direction of its centre from the shaft of wheel 4.
     pub wheels: Vec<Mate>,
-    /// Type of mesh of the wheels.
+    /// Mesh of wheel 4 with each of the other wheels.
     pub mesh: Mesh,
     /// Module of the wheels, in the unit of `lengths`.
     pub module: f64,

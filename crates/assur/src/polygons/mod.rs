@@ -23,9 +23,9 @@ use crate::motion::InputRate;
 /// Order of the time derivative that a polygon shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// Velocities.
+    /// First derivatives: the polygon of velocities.
     Velocity,
-    /// Accelerations.
+    /// Second derivatives: the polygon of accelerations.
     Acceleration,
 }
 

@@ -77,8 +77,8 @@ mod tests {
         assert!(both.all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
     }
 
-    /// At the same rate relative to the first crank, the second crank is at 180° and turns at 2: v = (−1, 0) + 2·(0,
-    /// −1).
+    /// The first crank turns at rate 1, the second at rate 1 relative to the first, so at rate 2 relative to the frame.
+    /// At 180° of the second crank v = (−1, 0) + 2·(0, −1).
     #[test]
     fn angular_velocities_of_cranks_on_cranks_add_up() {
         check(end(1.0), [[-1.0, 1.0], [-1.0, -2.0], [4.0, -1.0]]);

@@ -78,7 +78,7 @@ pub(crate) struct ConditionSummary {
     values: [Option<f64>; 2],
     /// Whether the condition holds as printed.
     holds: bool,
-    /// Whether the conclusion of the condition is true.
+    /// Whether the statement that the condition is to ensure is true, be the condition met or not.
     truth: bool,
 }
 

@@ -225,7 +225,8 @@ impl Plan<'_> {
         })
     }
 
-    /// Readiness of a body to be placed: the number of its known points and guides, then the number of all its points.
+    /// Readiness of a body to be placed: the number of its known points, plus 1 if a slide joins it to a placed body;
+    /// then the number of all its points.
     fn readiness(&self, body: BodyId) -> (usize, usize) {
         let known = self
             .bodies

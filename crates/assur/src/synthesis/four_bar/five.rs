@@ -20,7 +20,7 @@ use super::{Proportions, Solution, Task};
 use crate::numeric::newton::descended;
 use crate::numeric::{linear, max_abs, polynomial};
 
-/// Reasons why positions with free starting angles do not give finitely many exact linkages.
+/// Reasons why positions with free starting angles cannot be solved in closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StartsError {
     /// Fewer than five positions have a family of solutions with this many degrees of freedom.

@@ -5,7 +5,7 @@ use nalgebra::Complex;
 use super::closure::Direction;
 use crate::tolerance;
 
-/// The frame of the four-bar.
+/// Length and direction of the line between the fixed pivots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// l₀, in any unit.

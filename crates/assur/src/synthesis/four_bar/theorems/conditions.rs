@@ -147,7 +147,7 @@ fn of_cases(angles: &Angles) -> [Condition; 6] {
             let hold = (0..2).all(|k| values[k] * signs[k] >= 0.0);
             (values, hold)
         };
-        // For z₃ the fraction of the slope is printed first.
+        // The paper prints the fraction b/a second for z₂, but first for z₃.
         if about == Unknown::Input {
             values.reverse();
         }
