@@ -291,7 +291,15 @@ impl Page {
 
     pub(crate) async fn click(&self, id: &str) {
         self.unfold(id, ".menu").await;
-        self.read(id, async |element| element.click().await).await;
+        let click = async |element: &WebElement| match element.click().await {
+            // The driver scrolls no farther than to the edge of what scrolls, where half of the element is covered.
+            Err(error) if matches!(*error, WebDriverErrorInner::ElementClickIntercepted(_)) => {
+                element.scroll_into_view().await?;
+                element.click().await
+            }
+            done => done,
+        };
+        self.read(id, click).await;
         self.settle().await;
     }
 
