@@ -1,5 +1,5 @@
 // The count of the mobility in numbers, written before W in the status line while one draws.
-import { make, write } from "assur/core/dom.js";
+import { byId, make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 
 /**
@@ -23,30 +23,34 @@ export function counted({ links, lower, higher, mobility, by_count: byCount }, n
 }
 
 export class Count {
-  /** @type {Map<string, HTMLElement>} */
-  #outputs = new Map();
   #seen = new Seen();
+  /** @type {readonly string[]} the formula for each entry of `MOBILITIES`; empty for none */
+  #formulas = MOBILITIES.map(() => "");
+
+  constructor() {
+    // The entries of a kind of document come with its first document.
+    new MutationObserver(() => this.#write()).observe(byId("status", HTMLElement), { childList: true });
+  }
 
   /**
    * @param {Pick<import("assur/state/model.js").AnySnapshot, "summary" | "words" | "withheld">} snapshot
    * @param {boolean} on whether the reader draws
    */
   render({ summary, words, withheld }, on) {
-    if (this.#seen.same(summary, words, withheld, on, this.#place())) return;
+    if (this.#seen.same(summary, words, withheld, on)) return;
     const counts = on && "counts" in summary && summary.counts && "by_count" in summary.counts ? summary.counts : null;
     // A lesson that asks for W does not have it counted.
-    for (const [name, output] of this.#outputs) write(output, counts && !withheld.has(name) ? counted(counts, words.numbers) : "");
+    this.#formulas = MOBILITIES.map((name) => (counts && !withheld.has(name) ? counted(counts, words.numbers) : ""));
+    this.#write();
   }
 
-  /** Puts the formula before the numbers that the status line has by now, and returns how many there are. */
-  #place() {
-    for (const name of MOBILITIES) {
+  /** Writes each formula before its number, if the number is there yet. */
+  #write() {
+    for (const [i, name] of MOBILITIES.entries()) {
       const value = document.getElementById(`out-${name}`);
-      if (!value || this.#outputs.get(name)?.nextElementSibling === value) continue;
-      const output = make("dd", { class: "draw-count" });
-      value.before(output, " ");
-      this.#outputs.set(name, output);
+      if (!value) continue;
+      if (!value.previousElementSibling?.matches(".draw-count")) value.before(make("dd", { class: "draw-count" }), " ");
+      write(/** @type {Element} */ (value.previousElementSibling), this.#formulas[i]);
     }
-    return this.#outputs.size;
   }
 }

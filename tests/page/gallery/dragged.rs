@@ -8,14 +8,22 @@ async fn on_screen(page: &Page, document: &LinkageDocument, places: &[Point]) ->
     let motion = document.motion().unwrap();
     let figure = Figure::new(&motion, &View::default()).unwrap();
     let [left, bottom, right, top] = figure.bounds();
-    let scale = ((area.width - 88.0) / (right - left)).min((area.height - 88.0) / (top - bottom));
-    let at = |p: &Point| {
-        (
-            0.5 * area.width + scale * (p.x - 0.5 * (left + right)),
-            0.5 * area.height - scale * (p.y - 0.5 * (bottom + top)),
-        )
+    let fitted = |height: f64| {
+        let scale = ((area.width - 88.0) / (right - left)).min((height - 88.0) / (top - bottom));
+        move |p: &Point| {
+            (
+                0.5 * area.width + scale * (p.x - 0.5 * (left + right)),
+                0.5 * height - scale * (p.y - 0.5 * (bottom + top)),
+            )
+        }
     };
-    places.iter().map(at).collect()
+    // Clear of the buttons in the corner, ten pixels from the edges.
+    let corner = page.element("zoom").await.rect().await.unwrap();
+    let free = area.height - corner.height - 20.0;
+    let (x, y) = fitted(area.height)(&Point::new(right, bottom));
+    let covered = x > area.width - corner.width - 20.0 && y > free;
+    let height = if covered { free } else { area.height };
+    places.iter().map(fitted(height)).collect()
 }
 
 #[tokio::test]
