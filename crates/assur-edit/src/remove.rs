@@ -56,6 +56,7 @@ impl Drawing {
         document
             .tracers
             .retain(|tracer| !gone.contains(&tracer.link) && !points.contains(&tracer.name));
+        document.remove_under_load(|link| gone.contains(link), |point| points.contains(point));
         document.gears.retain(|gear| {
             !gear
                 .links
@@ -205,6 +206,11 @@ impl Drawing {
                 one.points.iter_mut().for_each(put);
                 one.centre_of_mass.iter_mut().for_each(put);
             }
+            document.points_under_load(&mut |name, of| {
+                if of == link {
+                    put(name);
+                }
+            });
             for slide in &mut document.slides {
                 if slide.link == link {
                     put(&mut slide.point);

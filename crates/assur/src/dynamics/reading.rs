@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::gauss::Moment;
+use crate::numeric::gauss::Moment;
 use super::run::{Run, TICK};
 use super::{Body, Mesh};
 use crate::Angle;

@@ -2,7 +2,8 @@
 
 use super::defect::{Defects, SPEED};
 use super::equations::{Equations, Following, Powers};
-use super::gauss::{self, N, Past};
+use super::body::N;
+use crate::numeric::gauss::{self, Past};
 use super::{Body, Defect, Differential, Mesh};
 use crate::angle::{Angle, sum};
 
@@ -62,7 +63,7 @@ pub(super) struct State {
     pub(super) speeds: [f64; N],
     /// Rounding errors of the speeds, to be added in the next step.
     lost: [f64; N],
-    past: Past,
+    past: Past<N>,
     /// Current number of halvings of a tick.
     halvings: u32,
     /// Works of drives, damping and loads since the start of the balance, each with its rounding error, J.

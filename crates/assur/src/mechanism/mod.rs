@@ -39,7 +39,7 @@ pub use plan::doubled::DoubledLink;
 pub use pose::{Pose, Unsolved};
 pub(crate) use rate::MAX_PERIOD;
 pub(crate) use rate::NEVER;
-pub(crate) use readout::arms_of;
+pub(crate) use readout::{Contact, Guide, arms_of};
 pub use readout::{
     Constraint, ConstraintKind, FourBarLoop, Joint, LinkOrFrame, Multiple, OuterJoint, Quantity,
     RrpDyad, RrrDyad, Sides,

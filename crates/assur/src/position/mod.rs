@@ -33,7 +33,7 @@ pub(crate) use dyads::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
 pub(crate) use enclosure::Enclosure;
 pub(crate) use epicyclic::{EpicyclicStep, Member};
 pub(crate) use group::{
-    AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm, power_of_two,
+    AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm,
 };
 use margin::{Dead, clear, crossing};
 pub(crate) use slider::Slider;

@@ -2,7 +2,7 @@
 
 use super::Group;
 use super::angle_constraint::KnownAngle;
-use super::elimination::Elimination;
+use crate::numeric::elimination::Elimination;
 use super::equation::MAX_FORMS;
 use crate::Vector;
 use crate::position::complex::Complex;

@@ -1,4 +1,4 @@
-//! Gauss collocation with three stages, for φ̈ = f(t, φ, φ̇).
+//! Gauss collocation with three stages, for φ̈ = f(t, φ, φ̇) of one coordinate or several.
 //!
 //! The method is of order 6 and symplectic: without damping the energy oscillates within bounds and does not drift
 //! (Hairer, Lubich, Wanner: *Geometric Numerical Integration*, theorem II.1.5 on the order, IV.2.2 on quadratic
@@ -8,9 +8,6 @@
 //! step and Ω the greatest natural frequency.
 
 use crate::tolerance;
-
-/// Number of coordinates, one for each body.
-pub(super) const N: usize = 4;
 
 /// √15.
 const ROOT: f64 = 3.872_983_346_207_417;
@@ -62,35 +59,35 @@ const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moment {
+pub(crate) struct Moment<const N: usize> {
     /// Time since the start of the step.
-    pub(super) time: f64,
+    pub(crate) time: f64,
     /// Change of the coordinates since the start of the step.
-    pub(super) moved: [f64; N],
+    pub(crate) moved: [f64; N],
     /// Rates of the coordinates.
-    pub(super) rates: [f64; N],
+    pub(crate) rates: [f64; N],
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Step {
+pub(crate) struct Step<const N: usize> {
     /// Change of the coordinates.
-    pub(super) moved: [f64; N],
+    pub(crate) moved: [f64; N],
     /// Change of the rates.
-    pub(super) gained: [f64; N],
+    pub(crate) gained: [f64; N],
     /// Moment, accelerations and weight of each stage, for quadrature of other quantities.
-    pub(super) stages: [(Moment, [f64; N], f64); 3],
+    pub(crate) stages: [(Moment<N>, [f64; N], f64); 3],
 }
 
 /// Accelerations at the stages of the previous step, from which those of the next step are extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Past {
+pub(crate) struct Past<const N: usize> {
     length: f64,
     accelerations: [[f64; N]; 3],
 }
 
-impl Past {
+impl<const N: usize> Past<N> {
     /// No previous step: zero accelerations.
-    pub(super) const NONE: Self = Self {
+    pub(crate) const NONE: Self = Self {
         length: 1.0,
         accelerations: [[0.0; N]; 3],
     };
@@ -117,12 +114,12 @@ impl Past {
 }
 
 /// Makes a step of the method. None if the iteration does not converge, because the step is too long.
-pub(super) fn step(
-    past: &mut Past,
+pub(crate) fn step<const N: usize>(
+    past: &mut Past<N>,
     length: f64,
     rates: &[f64; N],
-    accelerations: impl Fn(&Moment) -> [f64; N],
-) -> Option<Step> {
+    mut accelerations: impl FnMut(&Moment<N>) -> [f64; N],
+) -> Option<Step<N>> {
     let mut known = past.guess(length);
     let mut before = f64::INFINITY;
     for _ in 0..ITERATIONS {
@@ -150,7 +147,12 @@ pub(super) fn step(
     None
 }
 
-fn moment(stage: usize, length: f64, rates: &[f64; N], known: &[[f64; N]; 3]) -> Moment {
+fn moment<const N: usize>(
+    stage: usize,
+    length: f64,
+    rates: &[f64; N],
+    known: &[[f64; N]; 3],
+) -> Moment<N> {
     let (a, a2) = (A[stage], A2[stage]);
     let sum = |weights: [f64; 3], n: usize| {
         weights[0] * known[0][n] + weights[1] * known[1][n] + weights[2] * known[2][n]
@@ -162,7 +164,12 @@ fn moment(stage: usize, length: f64, rates: &[f64; N], known: &[[f64; N]; 3]) ->
     }
 }
 
-fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N]; 3]) -> Step {
+fn whole<const N: usize>(
+    length: f64,
+    rates: &[f64; N],
+    moments: [Moment<N>; 3],
+    known: &[[f64; N]; 3],
+) -> Step<N> {
     let mut step = Step {
         moved: rates.map(|rate| length * rate),
         gained: [0.0; N],
@@ -179,9 +186,97 @@ fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N];
     step
 }
 
+/// Steps of a length that keeps the error of each within a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Adaptive<const N: usize> {
+    past: Past<N>,
+    /// Length of the next step.
+    pub(crate) length: f64,
+}
+
+/// Factor by which the error of two half steps is below their difference from one whole step, for a method of order 6.
+const HALVES: f64 = 63.0;
+/// Greatest factors by which the next step is longer or shorter.
+const LONGER: f64 = 2.0;
+const SHORTER: f64 = 0.25;
+
+impl<const N: usize> Adaptive<N> {
+    pub(crate) fn new(length: f64) -> Self {
+        let past = Past::NONE;
+        Self { past, length }
+    }
+
+    /// Makes a step of at most a given length, as two half steps, which are returned with the length of each. `error`
+    /// compares the change of the coordinates and of the rates over the two halves with those over the whole, and
+    /// returns their difference divided by the tolerance. None if even a step of length `least` fails.
+    pub(crate) fn step(
+        &mut self,
+        [most, least]: [f64; 2],
+        rates: &[f64; N],
+        mut accelerations: impl FnMut(&Moment<N>) -> [f64; N],
+        error: impl Fn([f64; N], [f64; N]) -> f64,
+    ) -> Option<([Step<N>; 2], f64)> {
+        let mut length = self.length.min(most);
+        loop {
+            if let Some((steps, half, past, off)) =
+                self.halves(length, rates, &mut accelerations, &error)
+            {
+                let factor = 0.9 * off.max(1e-9).powf(-1.0 / 7.0);
+                let next = length * factor.clamp(SHORTER, LONGER);
+                if off <= 1.0 {
+                    // A step cut short by its limit says nothing against the length before it.
+                    self.length = if length < self.length { self.length.max(next) } else { next };
+                    self.past = past;
+                    return Some((steps, half));
+                }
+                length = next.min(0.9 * length);
+            } else {
+                length *= SHORTER;
+            }
+            self.length = length;
+            if length < least {
+                return None;
+            }
+        }
+    }
+
+    #[expect(clippy::type_complexity, reason = "a private result, taken apart at once")]
+    fn halves(
+        &self,
+        length: f64,
+        rates: &[f64; N],
+        accelerations: &mut impl FnMut(&Moment<N>) -> [f64; N],
+        error: &impl Fn([f64; N], [f64; N]) -> f64,
+    ) -> Option<([Step<N>; 2], f64, Past<N>, f64)> {
+        let half = 0.5 * length;
+        let mut past = self.past;
+        let first = step(&mut past, half, rates, &mut *accelerations)?;
+        let middle = std::array::from_fn(|n| rates[n] + first.gained[n]);
+        let second = step(&mut past, half, &middle, |moment| {
+            let mut later = *moment;
+            later.time += half;
+            for (moved, before) in later.moved.iter_mut().zip(first.moved) {
+                *moved += before;
+            }
+            accelerations(&later)
+        })?;
+        let whole = step(&mut self.past.clone(), length, rates, accelerations)?;
+        let off = |halves: fn(&Step<N>) -> &[f64; N]| {
+            std::array::from_fn(|n| {
+                (halves(&first)[n] + halves(&second)[n] - halves(&whole)[n]) / HALVES
+            })
+        };
+        let off = error(off(|step| &step.moved), off(|step| &step.gained));
+        Some(([first, second], half, past, off))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const N: usize = 4;
+    type Moment = super::Moment<N>;
 
     /// Four equations at once: a pendulum, a damped oscillator, a fan running down, a force that grows with time.
     fn accelerations(start: f64, q: &[f64; N], moment: &Moment) -> [f64; N] {
