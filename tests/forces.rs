@@ -75,10 +75,17 @@ fn loading(motion: &Motion, gravity: f64) -> Loading {
 }
 
 /// Reaction on a link at a joint, from all its pairs there.
-fn reaction(mechanism: &Mechanism, forces: &Kinetostatics, found: &Reactions, at: [&str; 2]) -> Vector {
+fn reaction(
+    mechanism: &Mechanism,
+    forces: &Kinetostatics,
+    found: &Reactions,
+    at: [&str; 2],
+) -> Vector {
     let [joint, link] = at;
     let body = mechanism.body_of(mechanism.link(link));
-    let pairs = forces.pairs().filter(|(_, pair)| pair.name(mechanism) == joint);
+    let pairs = forces
+        .pairs()
+        .filter(|(_, pair)| pair.name(mechanism) == joint);
     let on = pairs.map(|(id, pair)| {
         let reaction = found.of(id).vector().unwrap();
         match pair.bodies {
@@ -108,17 +115,26 @@ fn reactions_of_the_six_bar_watt_1() {
             Vector::new(x, y)
         });
         let torque = row.get("torque");
-        let greatest = expected.iter().map(|force| force.amax()).fold(torque.abs(), f64::max);
+        let greatest = expected
+            .iter()
+            .map(|force| force.amax())
+            .fold(torque.abs(), f64::max);
         for ((joint, link), expected) in OWNERS.iter().zip(expected) {
             let found = reaction(mechanism, &forces, &found, [joint, link]);
             let off = (found - expected).amax();
-            assert!(off <= 1e-10 * greatest, "{joint} on {link} at {input}: {off:e}");
+            assert!(
+                off <= 1e-10 * greatest,
+                "{joint} on {link} at {input}: {off:e}"
+            );
         }
         let off = found.first_drive().unwrap() - torque;
         assert!(off.abs() <= 1e-10 * greatest, "torque at {input}: {off:e}");
         let reduced = loading.reduced(mechanism, &pose, input);
         let off = reduced.balancing(rates[0], rates[1]) - torque;
-        assert!(off.abs() <= 1e-10 * greatest, "reduced torque at {input}: {off:e}");
+        assert!(
+            off.abs() <= 1e-10 * greatest,
+            "reduced torque at {input}: {off:e}"
+        );
         rows += 1;
     }
     assert_eq!(rows, 33);
@@ -185,7 +201,9 @@ fn what_redundant_constraints_share_is_not_invented() {
     let forces = Kinetostatics::new(mechanism);
     let input = motion.drawn_input();
     let pose = motion.pose::<3>(input).unwrap();
-    let found = forces.reactions(&loading, &pose, input, [2.0, 1.0]).unwrap();
+    let found = forces
+        .reactions(&loading, &pose, input, [2.0, 1.0])
+        .unwrap();
     // The beam translates: 3 kg at the end of the crank of length 1, with 30 N at 0.6.
     let torque = found.first_drive().unwrap();
     assert!((torque - (30.0 * 0.6 + 3.0)).abs() < 1e-12, "{torque}");

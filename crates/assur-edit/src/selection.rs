@@ -87,10 +87,7 @@ pub fn selected(
             .collect(),
         ..LinkageDocument::default()
     };
-    part.remove_under_load(
-        |name| !links.iter().any(|one| one == name),
-        |_| false,
-    );
+    part.remove_under_load(|name| !links.iter().any(|one| one == name), |_| false);
     part
 }
 

@@ -46,7 +46,15 @@ fn reactions_in_newtons_of_a_drawing_in_millimetres() {
     near("C.slider.frame.y", 30.0);
     near("C.slider.frame.moment", 0.0);
     // At 20 rad/s the mass at B and the slider are accelerated: 2·0.1·400 and 3·0.1·400·(1 + 1/3) inwards.
-    let text = said(&["forces", file.path(), "--at", "0", "--omega", "20", "--json"]);
+    let text = said(&[
+        "forces",
+        file.path(),
+        "--at",
+        "0",
+        "--omega",
+        "20",
+        "--json",
+    ]);
     let found: Value = serde_json::from_str(&text).unwrap();
     let row = &found["rows"][0];
     assert_eq!(row["input"], 0.0);
@@ -84,8 +92,24 @@ fn a_run_keeps_account_of_the_energy() {
     document["loads"] = json!([{"link": "slider", "point": "C", "resistance": [3, 0.5]}]);
     document["initial_rate"] = json!(5);
     let file = Scratch::with("run.json", &document.to_string());
-    let table = Table::of(&said(&["run", file.path(), "--until", "1", "--every", "0.25"]));
-    let header = ["t", "input", "rate", "acceleration", "kinetic", "potential", "work", "lost"];
+    let table = Table::of(&said(&[
+        "run",
+        file.path(),
+        "--until",
+        "1",
+        "--every",
+        "0.25",
+    ]));
+    let header = [
+        "t",
+        "input",
+        "rate",
+        "acceleration",
+        "kinetic",
+        "potential",
+        "work",
+        "lost",
+    ];
     assert_eq!(table.header, header);
     assert_eq!(table.rows.len(), 5);
     assert_eq!(table.cell(4, "t"), "1");
@@ -139,18 +163,56 @@ fn forces_that_are_none_are_said() {
         assert!(complaint.contains(expected), "{complaint}");
     };
     let forces = ["forces"];
-    told(&|one| one["links"][0]["mass"] = json!(-1), &forces, "its mass -1 is negative");
-    told(&|one| one["links"][1]["inertia"] = json!(4), &forces, "no body has the moment of inertia 4");
-    told(&|one| one["loads"][0]["point"] = json!("E"), &forces, "loads[0]: link slider has no point E");
-    told(&|one| one["loads"][0]["link"] = json!("x"), &forces, "loads[0]: there is no link x");
-    told(&|one| one["loads"][0]["torque"] = json!(1), &forces, "unknown key `torque`");
-    told(&|one| one["springs"] = json!([{"stiffness": 1}]), &forces, "springs[0]: too many fields");
-    told(&|one| one["motor"] = json!({"stall": 1, "no_load": 0}), &["run", "--until", "1"], "motor: a number");
-    told(&|one| one["links"][0]["mass"] = json!(0), &["run", "--until", "0"], "--until");
+    told(
+        &|one| one["links"][0]["mass"] = json!(-1),
+        &forces,
+        "its mass -1 is negative",
+    );
+    told(
+        &|one| one["links"][1]["inertia"] = json!(4),
+        &forces,
+        "no body has the moment of inertia 4",
+    );
+    told(
+        &|one| one["loads"][0]["point"] = json!("E"),
+        &forces,
+        "loads[0]: link slider has no point E",
+    );
+    told(
+        &|one| one["loads"][0]["link"] = json!("x"),
+        &forces,
+        "loads[0]: there is no link x",
+    );
+    told(
+        &|one| one["loads"][0]["torque"] = json!(1),
+        &forces,
+        "unknown key `torque`",
+    );
+    told(
+        &|one| one["springs"] = json!([{"stiffness": 1}]),
+        &forces,
+        "springs[0]: too many fields",
+    );
+    told(
+        &|one| one["motor"] = json!({"stall": 1, "no_load": 0}),
+        &["run", "--until", "1"],
+        "motor: a number",
+    );
+    told(
+        &|one| one["links"][0]["mass"] = json!(0),
+        &["run", "--until", "0"],
+        "--until",
+    );
     let no_mass = |one: &mut Value| {
         for link in one["links"].as_array_mut().unwrap() {
-            link.as_object_mut().unwrap().retain(|key, _| key != "mass" && key != "mass_kg");
+            link.as_object_mut()
+                .unwrap()
+                .retain(|key, _| key != "mass" && key != "mass_kg");
         }
     };
-    told(&no_mass, &["run", "--until", "1"], "needs a moving link with a mass");
+    told(
+        &no_mass,
+        &["run", "--until", "1"],
+        "needs a moving link with a mass",
+    );
 }

@@ -3,11 +3,11 @@
 //! Arrays over the bodies are in the order of [`Body::ALL`]. Inertia, damping and torques of the satellites are totals
 //! over all k satellites.
 
-use super::differential::following;
 use super::body::N;
-use crate::numeric::gauss::Moment;
+use super::differential::following;
 use super::{Load, Mesh, Parameters, Profile};
 use crate::angle::{Angle, combination};
+use crate::numeric::gauss::Moment;
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Equations {

@@ -1,11 +1,11 @@
 //! A run: the state of a differential, advanced tick by tick.
 
+use super::body::N;
 use super::defect::{Defects, SPEED};
 use super::equations::{Equations, Following, Powers};
-use super::body::N;
-use crate::numeric::gauss::{self, Past};
 use super::{Body, Defect, Differential, Mesh};
 use crate::angle::{Angle, sum};
+use crate::numeric::gauss::{self, Past};
 
 /// Ticks per second: a power of two, so that times are exact.
 pub const TICKS_PER_SECOND: u32 = 1024;

@@ -116,7 +116,13 @@ impl Loading {
                     free_length,
                 } => {
                     let (unit, [length, _]) = stretched(state, ends);
-                    pull(state, ends, unit * (stiffness * (length - free_length)), source, list);
+                    pull(
+                        state,
+                        ends,
+                        unit * (stiffness * (length - free_length)),
+                        source,
+                        list,
+                    );
                 }
                 Spring::Torsion {
                     bodies,
@@ -124,7 +130,13 @@ impl Loading {
                     free_angle,
                 } => {
                     let [angle, _] = relative(state, bodies);
-                    twist(state, bodies, -stiffness * (angle - free_angle), source, list);
+                    twist(
+                        state,
+                        bodies,
+                        -stiffness * (angle - free_angle),
+                        source,
+                        list,
+                    );
                 }
             }
         }
@@ -133,7 +145,13 @@ impl Loading {
             match *damper {
                 Damper::Straight { ends, damping } => {
                     let (unit, [_, stretching]) = stretched(state, ends);
-                    pull(state, ends, unit * (damping * stretching * rate), source, list);
+                    pull(
+                        state,
+                        ends,
+                        unit * (damping * stretching * rate),
+                        source,
+                        list,
+                    );
                 }
                 Damper::Torsion { bodies, damping } => {
                     let [one, other] = bodies.map(|body| turning(state, body)[0]);

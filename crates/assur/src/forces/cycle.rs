@@ -6,7 +6,7 @@ use crate::motion::Motion;
 use crate::numeric::gauss::Adaptive;
 use crate::numeric::newton::{MAX_STEPS_FROM_DRAWING, is_exact, newton};
 
-/// Error of a step, relative to the kinetic energy.
+/// Error of a step before its extrapolation, relative to the kinetic energy.
 const ERROR: f64 = 1e-13;
 /// Length of the first step, and the shortest one, as parts of the period.
 const FIRST: f64 = 1e-3;
@@ -103,7 +103,11 @@ impl SteadyCycle {
         };
         let at = over(&mut self.system, [self.start, way], self.energy)?;
         let reduced = self.system.reduced(input)?;
-        Some((2.0 * at.energy / reduced.inertia).sqrt().copysign(self.period))
+        Some(
+            (2.0 * at.energy / reduced.inertia)
+                .sqrt()
+                .copysign(self.period),
+        )
     }
 
     /// Coefficient of non-uniformity δ = (ω_max − ω_min)/ω_m with the mean rate over time ω_m.
@@ -117,57 +121,54 @@ impl SteadyCycle {
 fn over(system: &mut System, [start, way]: [f64; 2], energy: f64) -> Option<Period> {
     let length = way.abs();
     let sense = way.signum();
+    let speed = |energy: f64, inertia: f64| (2.0 * energy / inertia).sqrt();
+    let first = speed(energy, system.reduced(start)?.inertia);
     let mut done = 0.0;
-    // The rates of the two coordinates are the energy and its derivative with respect to that at the start.
-    let mut state = [energy, 1.0];
-    let mut found = Period {
-        energy,
-        slope: 1.0,
-        time: 0.0,
-        rates: [f64::INFINITY, 0.0],
-    };
-    let mut steps = Adaptive::new(FIRST * system.unit * std::f64::consts::TAU);
+    // Energy as a part of that at the start, its derivative with respect to that at the start, and the time multiplied
+    // by the rate at the start: all of the same size.
+    let mut state = [1.0, 1.0, 0.0];
+    let mut rates = [first; 2];
+    let mut steps = Adaptive::<3>::new(FIRST * system.unit * std::f64::consts::TAU);
     let least = SHORTEST * system.unit;
     while done < length {
         let from = start + sense * done;
         let most = length - done;
-        let scale = state[0];
-        let (halves, half) = steps.step(
+        let [part, slope, _] = state;
+        let advance = steps.step(
             [most, least.min(most)],
-            &state,
+            &[part, slope, 0.0],
             |moment| {
-                let [energy, slope] = moment.rates;
+                let [part, slope, _] = moment.rates;
                 let slopes = system.reduced(from + sense * moment.time).map(|reduced| {
-                    let speed = (2.0 * energy / reduced.inertia).sqrt();
+                    let speed = speed(part * energy, reduced.inertia);
                     let rate = sense * speed;
                     let [motor, by_rate] = system.motor.torque(rate);
                     let by_rate = by_rate + reduced.linear + 2.0 * reduced.quadratic * speed;
                     let torque = reduced.torque(rate) + motor;
-                    [sense * torque, by_rate * slope / (reduced.inertia * speed)]
+                    let by_energy = by_rate / (reduced.inertia * speed);
+                    [sense * torque / energy, by_energy * slope, first / speed]
                 });
-                slopes.unwrap_or([f64::NAN; 2])
+                slopes.unwrap_or([f64::NAN; 3])
             },
-            |_, gained| (gained[0].abs() / scale).max(gained[1].abs()) / ERROR,
+            |[_, off]| off.into_iter().map(f64::abs).fold(0.0, f64::max) / (ERROR * part),
         )?;
-        for (k, step) in halves.iter().enumerate() {
-            for (moment, _, weight) in &step.stages {
-                // The stages of each half are counted from its own start.
-                let at = from + sense * (k as f64 * half + moment.time);
-                let reduced = system.reduced(at)?;
-                found.time += weight * (0.5 * reduced.inertia / moment.rates[0]).sqrt();
-            }
-            state = std::array::from_fn(|n| state[n] + step.gained[n]);
+        for (value, gained) in state.iter_mut().zip(advance.gained) {
+            *value += gained;
         }
-        done = if most - 2.0 * half <= 4.0 * f64::EPSILON * length {
+        done = if most - advance.length <= 4.0 * f64::EPSILON * length {
             length
         } else {
-            done + 2.0 * half
+            done + advance.length
         };
         let reduced = system.reduced(start + sense * done)?;
-        let rate = (2.0 * state[0] / reduced.inertia).sqrt();
-        let [low, high] = found.rates;
-        found.rates = [low.min(rate), high.max(rate)];
+        let rate = speed(state[0] * energy, reduced.inertia);
+        rates = [rates[0].min(rate), rates[1].max(rate)];
     }
-    [found.energy, found.slope] = state;
-    (state[0] > 0.0).then_some(found)
+    let [part, slope, time] = state;
+    (part > 0.0).then_some(Period {
+        energy: part * energy,
+        slope,
+        time: time / first,
+        rates,
+    })
 }

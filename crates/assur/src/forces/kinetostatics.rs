@@ -131,7 +131,10 @@ impl Kinetostatics {
 
     /// The pairs: hinges in the order of the points, then slides, then meshes.
     pub fn pairs(&self) -> impl ExactSizeIterator<Item = (PairId, &Pair)> {
-        self.pairs.iter().enumerate().map(|(k, pair)| (PairId(k), pair))
+        self.pairs
+            .iter()
+            .enumerate()
+            .map(|(k, pair)| (PairId(k), pair))
     }
 
     /// The drivers, in the order of the specification.
@@ -175,7 +178,10 @@ impl Kinetostatics {
         let state = pose.state();
         found.applied.clear();
         loading.apply(state, input, motion, &mut found.applied);
-        let placed = self.components.iter().map(|component| component.placed(state));
+        let placed = self
+            .components
+            .iter()
+            .map(|component| component.placed(state));
         found.placed.clear();
         found.placed.extend(placed);
         if found.totals.len() != self.bodies {
@@ -223,7 +229,13 @@ impl Kinetostatics {
                 }
             }
         }
-        found.fill(&self.pairs, &self.starts, &self.components, self.held, self.size);
+        found.fill(
+            &self.pairs,
+            &self.starts,
+            &self.components,
+            self.held,
+            self.size,
+        );
         Ok(())
     }
 }

@@ -40,11 +40,9 @@ impl Law {
                 let within = ends.is_some_and(|([from, _], [to, _])| !turns || to - from <= TAU);
                 ordered && within && knots.iter().flatten().all(sound)
             }
-            Self::Harmonics(terms) => terms.iter().all(|term| {
-                [term.amplitude, term.order, term.phase]
-                    .iter()
-                    .all(sound)
-            }),
+            Self::Harmonics(terms) => terms
+                .iter()
+                .all(|term| [term.amplitude, term.order, term.phase].iter().all(sound)),
         }
     }
 

@@ -108,14 +108,19 @@ impl Loading {
         let loads = loads.map(|(index, load)| names.about(Part::Load, index).load(load));
         let loads = all(loads);
         let springs = spec.springs.iter().enumerate();
-        let springs = springs.map(|(index, spring)| names.about(Part::Spring, index).spring(spring));
+        let springs =
+            springs.map(|(index, spring)| names.about(Part::Spring, index).spring(spring));
         let springs = all(springs);
         let dampers = spec.dampers.iter().enumerate();
-        let dampers = dampers.map(|(index, damper)| names.about(Part::Damper, index).damper(damper));
+        let dampers =
+            dampers.map(|(index, damper)| names.about(Part::Damper, index).damper(damper));
         let dampers = all(dampers);
         match (loads, springs, dampers) {
             (Some(loads), Some(springs), Some(dampers)) if names.defects.is_empty() => Ok(Self {
-                masses: mechanism.bodies().map(|body| mass(mechanism, body)).collect(),
+                masses: mechanism
+                    .bodies()
+                    .map(|body| mass(mechanism, body))
+                    .collect(),
                 gravity: spec.gravity,
                 loads,
                 springs,
@@ -137,7 +142,9 @@ fn all<T>(parts: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
 fn mass(mechanism: &Mechanism, body: BodyId) -> BodyMass {
     let links = mechanism.link_ids();
     let own = links.filter(|link| body != BodyId::FRAME && mechanism.body_of(Some(*link)) == body);
-    let parts: Vec<BodyMass> = own.map(|link| mass_of_link(mechanism, body, link)).collect();
+    let parts: Vec<BodyMass> = own
+        .map(|link| mass_of_link(mechanism, body, link))
+        .collect();
     let mass = parts.iter().map(|part| part.mass).sum::<f64>();
     if mass == 0.0 {
         return BodyMass {
@@ -173,7 +180,10 @@ fn mass_of_link(mechanism: &Mechanism, body: BodyId, link: LinkId) -> BodyMass {
             let [from, to] = [first, second].map(local);
             (0.5 * (from + to), mass * (to - from).norm_squared() / 12.0)
         }
-        (None, points) => (points.first().map_or(Vector::zeros(), |one| local(*one)), 0.0),
+        (None, points) => (
+            points.first().map_or(Vector::zeros(), |one| local(*one)),
+            0.0,
+        ),
     };
     BodyMass {
         mass,

@@ -40,7 +40,9 @@ impl Motor {
         let sound = |value: &f64| value.is_finite() && value.abs() <= FARTHEST;
         let is_valid = match self {
             Self::Constant(torque) => sound(torque),
-            Self::Linear { stall, no_load } => [stall, no_load].into_iter().all(sound) && *no_load != 0.0,
+            Self::Linear { stall, no_load } => {
+                [stall, no_load].into_iter().all(sound) && *no_load != 0.0
+            }
             Self::Kloss {
                 pull_out,
                 slip,
@@ -55,7 +57,9 @@ impl Motor {
             }
         };
         let (part, index) = (Part::Motor, 0);
-        is_valid.then_some(()).ok_or(Defect::NoNumber { part, index })
+        is_valid
+            .then_some(())
+            .ok_or(Defect::NoNumber { part, index })
     }
 
     /// Torque at a rate, and its derivative with respect to the rate.
@@ -111,7 +115,10 @@ mod tests {
         };
         assert_eq!(linear.torque(5.0), [3.0, -0.2]);
         let table = Motor::Table(vec![[0.0, 1.0], [2.0, 5.0]]);
-        assert_eq!([-1.0, 1.0, 3.0].map(|rate| table.torque(rate)[0]), [1.0, 3.0, 5.0]);
+        assert_eq!(
+            [-1.0, 1.0, 3.0].map(|rate| table.torque(rate)[0]),
+            [1.0, 3.0, 5.0]
+        );
     }
 
     #[test]
@@ -122,7 +129,10 @@ mod tests {
         };
         for motor in [
             Motor::Constant(f64::NAN),
-            Motor::Linear { stall: 1.0, no_load: 0.0 },
+            Motor::Linear {
+                stall: 1.0,
+                no_load: 0.0,
+            },
             Motor::Table(vec![[1.0, 1.0], [1.0, 2.0]]),
         ] {
             assert_eq!(motor.check(), Err(refused.clone()));

@@ -155,9 +155,10 @@ impl Component {
         match self.wrench {
             Wrench::X(at) => force(place(at), Vector::x()),
             Wrench::Y(at) => force(place(at), Vector::y()),
-            Wrench::Normal(guide) => {
-                force(place(guide.at), crate::perpendicular(heading(state, &guide)))
-            }
+            Wrench::Normal(guide) => force(
+                place(guide.at),
+                crate::perpendicular(heading(state, &guide)),
+            ),
             Wrench::Along(guide) => force(place(guide.at), heading(state, &guide)),
             Wrench::Couple => couples([1.0, -1.0, 0.0]),
             Wrench::Tangent(hinges, part) => {
@@ -178,7 +179,13 @@ pub(super) fn heading(state: &State<3>, guide: &Guide) -> Vector {
 /// The pairs of a mechanism; in each, the body placed later comes first.
 pub(super) fn pairs(mechanism: &Mechanism) -> Vec<Pair> {
     let placed = |body: &BodyId| placing(mechanism, *body);
-    let ordered = |[a, b]: [BodyId; 2]| if placed(&a) > placed(&b) { [a, b] } else { [b, a] };
+    let ordered = |[a, b]: [BodyId; 2]| {
+        if placed(&a) > placed(&b) {
+            [a, b]
+        } else {
+            [b, a]
+        }
+    };
     let (mut guides, mut contacts) = (mechanism.guides(), mechanism.contacts());
     let mut found = Vec::new();
     for joint in mechanism.joints() {

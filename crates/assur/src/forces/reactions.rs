@@ -112,9 +112,7 @@ impl Reactions {
                     let couple = found[start + 1];
                     (along(value), couple.map(|couple| couple * size))
                 }
-                Wrench::Couples(all) => {
-                    ([Some(0.0); 2], value.map(|value| value * all[0] * size))
-                }
+                Wrench::Couples(all) => ([Some(0.0); 2], value.map(|value| value * all[0] * size)),
                 _ => (along(value), Some(0.0)),
             };
             debug_assert!(pair.bodies[0] == components[*start].bodies[0]);

@@ -71,8 +71,8 @@ impl Loading {
             let centre = state.place(BodyPoint { body, local });
             let [turn, twice] = turning(state, body);
             sum.inertia += mass.mass * centre[1].norm_squared() + mass.inertia * turn * turn;
-            sum.inertia_slope += 4.0 * mass.mass * centre[1].dot(&centre[2])
-                + 2.0 * mass.inertia * turn * twice;
+            sum.inertia_slope +=
+                4.0 * mass.mass * centre[1].dot(&centre[2]) + 2.0 * mass.inertia * turn * twice;
             sum.potential -= mass.mass * (self.gravity.dot(&centre[0]) + height);
             sum.conservative += mass.mass * self.gravity.dot(&centre[1]);
         }

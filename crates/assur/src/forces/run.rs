@@ -6,24 +6,29 @@ use super::{Defect, Loading, Motor, Reduced};
 use crate::angle::sum;
 use crate::mechanism::{Pose, Unsolved};
 use crate::motion::{DeadPoint, Motion};
-use crate::numeric::gauss::{Adaptive, Step};
+use crate::numeric::gauss::Adaptive;
 use crate::tolerance;
 
-/// Error of a step, relative to the change over a radian of the input.
+/// Error of a step before its extrapolation, relative to a radian of the input.
 const ERROR: f64 = 1e-13;
+
+/// Distance from an end of the motion, in radians of the input, at which a run ends. There the reduced inertia, which is
+/// inversely proportional to the distance from a dead point, has half of its digits.
+const AT_END: f64 = tolerance::COINCIDENT;
 
 /// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
 const SHORTEST: f64 = 1e-12;
 
 /// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`Reduced`].
 ///
-/// The input is integrated by Gauss collocation of order 6. Works are integrated along, so their sum with the energies
-/// shows the error.
+/// The input is integrated by Gauss collocation with extrapolation. Works are integrated along, so their sum with the
+/// energies shows the error.
 #[derive(Clone, Debug)]
 pub struct Run {
     pub(super) system: System,
     state: State,
-    steps: Adaptive<1>,
+    /// Steps of the input, of the work and of the lost energy.
+    steps: Adaptive<3>,
     /// Kinetic and potential energy at the start.
     opening: f64,
 }
@@ -47,6 +52,8 @@ struct State {
     /// Input, with its rounding error.
     input: (f64, f64),
     rate: f64,
+    /// Rounding error of the rate.
+    rest: f64,
     /// Work of the motor and the given loads, and the energy lost in resistances and dampers.
     work: f64,
     lost: f64,
@@ -147,7 +154,9 @@ impl System {
     /// Reduced quantities at an input; None where there is no pose.
     pub(super) fn reduced(&mut self, input: f64) -> Option<Reduced> {
         self.motion.place(input, &mut self.pose).ok()?;
-        let reduced = self.loading.reduced_in(self.pose.state(), input, self.height);
+        let reduced = self
+            .loading
+            .reduced_in(self.pose.state(), input, self.height);
         (reduced.inertia > 0.0).then_some(reduced)
     }
 
@@ -172,7 +181,10 @@ impl Run {
         if !(rate.abs() <= tolerance::FARTHEST) {
             return Err(NoRun::Rate);
         }
-        system.motion.place(input, &mut system.pose).map_err(NoRun::Start)?;
+        system
+            .motion
+            .place(input, &mut system.pose)
+            .map_err(NoRun::Start)?;
         let reduced = system.reduced(input).ok_or(NoRun::NoInertia)?;
         let acceleration = system.acceleration(&reduced, rate);
         // A first guess: the time in which the input moves by a hundredth of its unit.
@@ -185,6 +197,7 @@ impl Run {
                 time: 0.0,
                 input: (input, 0.0),
                 rate,
+                rest: 0.0,
                 work: 0.0,
                 lost: 0.0,
             },
@@ -200,6 +213,7 @@ impl Run {
             rate,
             work,
             lost,
+            ..
         } = self.state;
         // Steps are taken only between inputs that have a pose.
         let reduced = self.system.reduced(input).unwrap_or_default();
@@ -237,20 +251,40 @@ impl Run {
             if time - self.state.time <= 4.0 * f64::EPSILON * time.abs() {
                 self.state.time = time;
             }
+            if self
+                .nearest_end()
+                .is_some_and(|(_, ahead)| ahead <= AT_END * self.system.unit)
+            {
+                return Err(self.halt());
+            }
         }
         Ok(())
     }
 
-    fn halt(&self) -> Halt {
+    /// End of the motion nearest ahead, with its distance.
+    fn nearest_end(&self) -> Option<(DeadPoint, f64)> {
         let at = self.system.motion.cycle().wrap(self.state.input.0);
+        let sense = self.state.rate.signum();
         let ends = self.system.motion.dead_points().iter();
-        let distance = |end: &DeadPoint| (end.input - at).abs();
-        let nearest = ends.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let ahead = ends.map(|end| (*end, (end.input - at) * sense));
+        ahead
+            .filter(|(_, ahead)| *ahead >= -tolerance::CONVERGED * self.system.unit)
+            .min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
+    /// The end of the run. Near a dead point the square of the rate is proportional to the distance, so the time left is
+    /// twice the distance divided by the rate.
+    fn halt(&self) -> Halt {
+        let State { time, rate, .. } = self.state;
+        let near = self.nearest_end();
+        let near = near.filter(|(_, ahead)| *ahead <= tolerance::NEAR * self.system.unit);
+        let left = near.map_or(0.0, |(end, ahead)| {
+            let times = if end.kind.is_dead_point() { 2.0 } else { 1.0 };
+            times * ahead.max(0.0) / rate.abs().max(f64::MIN_POSITIVE)
+        });
         Halt::End {
-            time: self.state.time,
-            end: nearest
-                .filter(|end| distance(end) <= tolerance::NEAR * self.system.unit)
-                .copied(),
+            time: time + if left.is_finite() { left } else { 0.0 },
+            end: near.map(|(end, _)| end),
         }
     }
 
@@ -267,38 +301,48 @@ impl Run {
         let acceleration = system.acceleration(&here, state.rate).abs();
         // Rate at which the input moves by its unit, also from rest.
         let scale = state.rate.abs() + (acceleration * unit).sqrt();
-        let least = if scale > 0.0 { SHORTEST * unit / scale } else { 0.0 };
-        let (halves, length) = steps.step(
+        let (least, momentum) = if scale > 0.0 {
+            (SHORTEST * unit / scale, here.inertia * scale)
+        } else {
+            (0.0, here.inertia)
+        };
+        // Powers are divided by a momentum, so that they are of the size of the acceleration.
+        let advance = steps.step(
             [most, least.min(most)],
-            &[state.rate],
+            &[state.rate, 0.0, 0.0],
             |moment| {
                 let rate = moment.rates[0];
                 let reduced = system.reduced(input + (rest + moment.moved[0]));
-                [reduced.map_or(f64::NAN, |reduced| system.acceleration(&reduced, rate))]
+                reduced.map_or([f64::NAN; 3], |reduced| {
+                    let motor = system.motor.torque(rate)[0];
+                    let work = (motor + reduced.load) * rate;
+                    let lost = -reduced.resistance(rate) * rate;
+                    let acceleration = system.acceleration(&reduced, rate);
+                    [acceleration, work / momentum, lost / momentum]
+                })
             },
-            |[moved], [gained]| {
-                let rate = if scale > 0.0 { gained.abs() / scale } else { 0.0 };
-                (moved.abs() / unit).max(rate) / ERROR
+            |[moved, gained]| {
+                let rate = if scale > 0.0 {
+                    gained[0].abs() / scale
+                } else {
+                    0.0
+                };
+                (moved[0].abs() / unit).max(rate) / ERROR
             },
         )?;
-        for half in &halves {
-            Self::take(system, state, half, length);
-        }
+        let [rate, work, lost] = advance.gained;
+        state.input = sum(input, rest + advance.moved[0]);
+        state.rate = add(&mut state.rest, state.rate, rate);
+        state.work += momentum * work;
+        state.lost += momentum * lost;
+        state.time += advance.length;
         Some(())
     }
+}
 
-    fn take(system: &mut System, state: &mut State, step: &Step<1>, length: f64) {
-        for (moment, _, weight) in &step.stages {
-            let rate = moment.rates[0];
-            let at = state.input.0 + (state.input.1 + moment.moved[0]);
-            // The pose exists: the stage has been evaluated.
-            let reduced = system.reduced(at).unwrap_or_default();
-            let motor = system.motor.torque(rate)[0];
-            state.work += weight * (motor + reduced.load) * rate;
-            state.lost -= weight * reduced.resistance(rate) * rate;
-        }
-        state.input = sum(state.input.0, state.input.1 + step.moved[0]);
-        state.rate += step.gained[0];
-        state.time += length;
-    }
+/// A sum whose rounding error goes into `rest`.
+fn add(rest: &mut f64, to: f64, more: f64) -> f64 {
+    let (total, lost) = sum(to, *rest + more);
+    *rest = lost;
+    total
 }

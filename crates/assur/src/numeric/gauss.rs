@@ -191,7 +191,20 @@ fn whole<const N: usize>(
 pub(crate) struct Adaptive<const N: usize> {
     past: Past<N>,
     /// Length of the next step.
+    length: f64,
+}
+
+/// Change over a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Advance<const N: usize> {
+    /// Length of the step.
     pub(crate) length: f64,
+    /// Change of the coordinates.
+    pub(crate) moved: [f64; N],
+    /// Change of the rates.
+    pub(crate) gained: [f64; N],
+    /// Estimated error of two half steps, before extrapolation: of the coordinates, then of the rates.
+    error: [[f64; N]; 2],
 }
 
 /// Factor by which the error of two half steps is below their difference from one whole step, for a method of order 6.
@@ -206,28 +219,31 @@ impl<const N: usize> Adaptive<N> {
         Self { past, length }
     }
 
-    /// Makes a step of at most a given length, as two half steps, which are returned with the length of each. `error`
-    /// compares the change of the coordinates and of the rates over the two halves with those over the whole, and
-    /// returns their difference divided by the tolerance. None if even a step of length `least` fails.
+    /// Makes a step of at most a given length: two half steps, extrapolated by their difference from a whole step. The
+    /// method is symmetric, so the result is of order 8. `error` divides the estimated errors of coordinates and rates
+    /// by their tolerances. None if even a step of length `least` fails.
     pub(crate) fn step(
         &mut self,
         [most, least]: [f64; 2],
         rates: &[f64; N],
         mut accelerations: impl FnMut(&Moment<N>) -> [f64; N],
-        error: impl Fn([f64; N], [f64; N]) -> f64,
-    ) -> Option<([Step<N>; 2], f64)> {
+        error: impl Fn([[f64; N]; 2]) -> f64,
+    ) -> Option<Advance<N>> {
         let mut length = self.length.min(most);
         loop {
-            if let Some((steps, half, past, off)) =
-                self.halves(length, rates, &mut accelerations, &error)
-            {
+            if let Some((advance, past)) = self.tried(length, rates, &mut accelerations) {
+                let off = error(advance.error);
                 let factor = 0.9 * off.max(1e-9).powf(-1.0 / 7.0);
                 let next = length * factor.clamp(SHORTER, LONGER);
                 if off <= 1.0 {
                     // A step cut short by its limit says nothing against the length before it.
-                    self.length = if length < self.length { self.length.max(next) } else { next };
+                    self.length = if length < self.length {
+                        self.length.max(next)
+                    } else {
+                        next
+                    };
                     self.past = past;
-                    return Some((steps, half));
+                    return Some(advance);
                 }
                 length = next.min(0.9 * length);
             } else {
@@ -240,14 +256,13 @@ impl<const N: usize> Adaptive<N> {
         }
     }
 
-    #[expect(clippy::type_complexity, reason = "a private result, taken apart at once")]
-    fn halves(
+    /// A step of a given length, and the accelerations of its second half.
+    fn tried(
         &self,
         length: f64,
         rates: &[f64; N],
         accelerations: &mut impl FnMut(&Moment<N>) -> [f64; N],
-        error: &impl Fn([f64; N], [f64; N]) -> f64,
-    ) -> Option<([Step<N>; 2], f64, Past<N>, f64)> {
+    ) -> Option<(Advance<N>, Past<N>)> {
         let half = 0.5 * length;
         let mut past = self.past;
         let first = step(&mut past, half, rates, &mut *accelerations)?;
@@ -261,13 +276,20 @@ impl<const N: usize> Adaptive<N> {
             accelerations(&later)
         })?;
         let whole = step(&mut self.past.clone(), length, rates, accelerations)?;
-        let off = |halves: fn(&Step<N>) -> &[f64; N]| {
-            std::array::from_fn(|n| {
-                (halves(&first)[n] + halves(&second)[n] - halves(&whole)[n]) / HALVES
-            })
+        let sum = |of: fn(&Step<N>) -> &[f64; N]| -> [[f64; N]; 2] {
+            let halves: [f64; N] = std::array::from_fn(|n| of(&first)[n] + of(&second)[n]);
+            let error = std::array::from_fn(|n| (halves[n] - of(&whole)[n]) / HALVES);
+            [std::array::from_fn(|n| halves[n] + error[n]), error]
         };
-        let off = error(off(|step| &step.moved), off(|step| &step.gained));
-        Some(([first, second], half, past, off))
+        let [moved, off] = sum(|step| &step.moved);
+        let [gained, off_rates] = sum(|step| &step.gained);
+        let advance = Advance {
+            length,
+            moved,
+            gained,
+            error: [off, off_rates],
+        };
+        Some((advance, past))
     }
 }
 
@@ -335,6 +357,28 @@ mod tests {
         assert!((v[2] - 2.0 / 9.0).abs() < 1e-11 && (q[2] - 9.0_f64.ln()).abs() < 1e-11);
         // The growing force: φ = t⁷/42.
         assert!((q[3] - end.powi(7) / 42.0).abs() < 1e-9 * q[3]);
+    }
+
+    /// Steps found by their error: a pendulum from rest, over many swings, keeps its energy.
+    #[test]
+    fn adaptive_steps() {
+        let (mut q, mut v, mut time, mut count) = (2.5_f64, 0.0_f64, 0.0_f64, 0);
+        let mut steps = Adaptive::<1>::new(1.0);
+        while time < 100.0 {
+            let f = |moment: &super::Moment<1>| [-(q + moment.moved[0]).sin()];
+            let error =
+                |[moved, gained]: [[f64; 1]; 2]| moved[0].abs().max(gained[0].abs()) / 1e-13;
+            let advance = steps.step([100.0 - time, 1e-9], &[v], f, error).unwrap();
+            q += advance.moved[0];
+            v += advance.gained[0];
+            time += advance.length;
+            count += 1;
+        }
+        let off = 0.5 * v * v - q.cos() + 2.5_f64.cos();
+        assert!(off.abs() < 1e-13, "{off:e}");
+        assert!((200..4_000).contains(&count), "{count}");
+        let no = steps.step([1.0, 1e-3], &[v], |_| [f64::NAN], |_| 0.0);
+        assert!(no.is_none());
     }
 
     #[test]

@@ -197,8 +197,12 @@ impl LinkageDocument {
             return Ok(Motor::NONE);
         };
         let path = "motor".to_owned();
-        let motor = motor.spec(unit).ok_or(LinkageProblem::UnclearForce { path })?;
-        motor.check().map_err(|defect| LinkageProblem::of_forces(&defect))?;
+        let motor = motor
+            .spec(unit)
+            .ok_or(LinkageProblem::UnclearForce { path })?;
+        motor
+            .check()
+            .map_err(|defect| LinkageProblem::of_forces(&defect))?;
         Ok(motor)
     }
 
@@ -318,7 +322,8 @@ impl MotorDocument {
 }
 
 fn anchors(ends: &[AnchorDocument; 2]) -> [AnchorSpec; 2] {
-    ends.each_ref().map(|end| AnchorSpec::new(&end.link, &end.point))
+    ends.each_ref()
+        .map(|end| AnchorSpec::new(&end.link, &end.point))
 }
 
 impl SpringDocument {
@@ -448,14 +453,15 @@ impl LinkageDocument {
     pub fn remove_under_load(&mut self, link: impl Fn(&str) -> bool, point: impl Fn(&str) -> bool) {
         let is_held = |end: &AnchorDocument| !gone(&link, &end.link) && !point(&end.point);
         let ends = |ends: &Option<[AnchorDocument; 2]>| ends.iter().flatten().all(is_held);
-        let links = |links: &Option<[String; 2]>| {
-            links.iter().flatten().all(|name| !gone(&link, name))
-        };
+        let links =
+            |links: &Option<[String; 2]>| links.iter().flatten().all(|name| !gone(&link, name));
         self.loads.retain(|load| {
             !gone(&link, &load.link) && !load.point.as_ref().is_some_and(|name| point(name))
         });
-        self.springs.retain(|spring| ends(&spring.ends) && links(&spring.links));
-        self.dampers.retain(|damper| ends(&damper.ends) && links(&damper.links));
+        self.springs
+            .retain(|spring| ends(&spring.ends) && links(&spring.links));
+        self.dampers
+            .retain(|damper| ends(&damper.ends) && links(&damper.links));
     }
 }
 

@@ -66,7 +66,9 @@ impl Mechanism {
     /// Wheels in mesh, in the order of the specification.
     pub(crate) fn contacts(&self) -> impl Iterator<Item = Contact> {
         self.layout.bodies.gears.iter().map(|gear| Contact {
-            hinges: gear.bodies.map(|wheel| self.hinge_of([wheel, gear.carrier])),
+            hinges: gear
+                .bodies
+                .map(|wheel| self.hinge_of([wheel, gear.carrier])),
             carrier: gear.carrier,
             links: gear.by_link.links,
             teeth: gear.signed_teeth(),

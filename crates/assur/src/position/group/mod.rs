@@ -20,11 +20,11 @@ pub(super) use work::Work;
 
 use crate::Vector;
 use crate::index::{BodyId, StepId};
+use crate::numeric::elimination::Elimination;
 use crate::position::step::finite;
 use crate::position::{
     BodyPoint, Cause, Enclosure, Nearby, Predictor, Solvable, State, StepContext,
 };
-use crate::numeric::elimination::Elimination;
 use equation::MAX_FORMS;
 
 /// An input of a group: a position or direction known from a solved body.
