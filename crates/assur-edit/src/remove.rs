@@ -56,7 +56,8 @@ impl Drawing {
         document
             .tracers
             .retain(|tracer| !gone.contains(&tracer.link) && !points.contains(&tracer.name));
-        document.remove_under_load(|link| gone.contains(link), |point| points.contains(point));
+        let is_gone = |name: &str| points.iter().any(|point| point == name);
+        document.remove_under_load(|link| gone.contains(link), is_gone);
         document.gears.retain(|gear| {
             !gear
                 .links

@@ -126,7 +126,11 @@ fn speed() {
     for (name, with_reactions, linkage) in [
         ("Jansen, poses with both derivatives", false, "jansen"),
         ("Jansen, reactions in these poses", true, "jansen"),
-        ("Class IV, poses with both derivatives", false, "class4-dwell"),
+        (
+            "Class IV, poses with both derivatives",
+            false,
+            "class4-dwell",
+        ),
         ("Class IV, reactions in these poses", true, "class4-dwell"),
     ] {
         contestants.push((name, DEGREES * SWEEPS, reactions(linkage, with_reactions)));

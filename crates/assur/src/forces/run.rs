@@ -178,7 +178,7 @@ impl Run {
         [input, rate]: [f64; 2],
     ) -> Result<Self, NoRun> {
         let mut system = System::new(motion, loading, motor)?;
-        if !(rate.abs() <= tolerance::FARTHEST) {
+        if !(-tolerance::FARTHEST..=tolerance::FARTHEST).contains(&rate) {
             return Err(NoRun::Rate);
         }
         system
