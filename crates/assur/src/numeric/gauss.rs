@@ -130,7 +130,8 @@ pub(crate) fn step<const N: usize>(
             change = change.max((found - known).abs());
             size = size.max(found.abs());
         }
-        if !size.is_finite() {
+        // `max` passes over NaN, so the values themselves are looked at.
+        if !found.iter().flatten().all(|value| value.is_finite()) {
             return None;
         }
         known = found;
