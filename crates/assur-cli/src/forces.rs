@@ -202,8 +202,8 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     Ok(())
 }
 
-/// Writes the table of a motion under load. If the motion ends before, its last row is at its end, which is told on
-/// standard error.
+/// Writes the table of a motion under load. If the motion ends before, its last row is at its end, and
+/// standard error says so.
 ///
 /// # Errors
 /// A document that is not a mechanism, whose forces are invalid or that cannot be run; an invalid number; output that
