@@ -5,6 +5,9 @@ export type DocumentOf<K extends Document["kind"]> = Extract<Document, { kind: K
 export type Against = { 
 /** The abscissa; `input` stands for the input. */ x: string, 
 /** The ordinate. */ y: string, };
+export type AnchorDocument = { 
+/** The link, or `frame`. */ link: string, 
+/** One of its points. */ point: string, };
 export type Axes = "analogues" | "physical";
 export type BodiesDocument = { 
 /** Moments of inertia, including those of all parts on the shafts, kg·m². */ inertia: [number, number, number, number], 
@@ -14,6 +17,10 @@ export type ChoiceDocument = {
 /** The options. */ options: Array<string>, 
 /** Index of the right option, from 0. */ answer: number, };
 export type CouplingDocument = "magnetic" | "contact";
+export type DamperDocument = { 
+/** The points of its two ends. */ ends?: [AnchorDocument, AnchorDocument] | null, 
+/** The links between which it acts on their relative angular velocity, if it has no ends. */ links?: [string, string] | null, 
+/** Damping coefficient: N·s/m, or N·m·s. */ damping: number, };
 export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type DraftDocument = LinkageDocument;
 export type DriveDocument = { 
@@ -69,6 +76,10 @@ load: Array<[number, number]>,
 /** The magnets of the two meshes. */ magnets: MagnetsDocument, 
 /** Inertia, mass and damping of the bodies. */ bodies: BodiesDocument, };
 export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher" | "schemes";
+export type HarmonicDocument = { 
+/** Amplitude A, in the unit of the value. */ amplitude: number, 
+/** Order k: of the angle of a crank, or of the travel of a slide in the unit of lengths. */ order: number, 
+/** Phase α, degrees; 0 by default. */ phase_deg?: number | null, };
 export type KindDocument = "revolute" | "prismatic" | "screw" | "cylindrical" | "universal" | "spherical" | "planar" | "sphere_in_cylinder" | "cylinder_on_plane" | "sphere_on_plane" | "class";
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
 export type LessonDocument = { 
@@ -82,7 +93,8 @@ export type LinkDocument = {
 /** Coordinates of the points in any axes fixed to the link, if not as drawn. */ shape?: Array<[number, number]> | null, 
 /** The link to which this link is rigidly fixed, or `frame`. */ fixed_to?: string | null, 
 /** Centre of mass of the link, one of its points. */ centre_of_mass?: string | null, 
-/** Mass of the link, kilograms. */ mass_kg?: number | null, };
+/** Mass of the link, kilograms. It may also be called `mass`. */ mass_kg?: number | null, 
+/** Moment of inertia of the link about its centre of mass: kilograms times the square of the unit of lengths. */ inertia?: number | null, };
 export type LinkageDocument = { 
 /** Title of the linkage. */ title?: string | null, 
 /** Source of the dimensions. */ source?: string | null, 
@@ -95,6 +107,16 @@ export type LinkageDocument = {
 /** Gear couplings. */ gears?: Array<GearDocument>, 
 /** Driven pairs. */ drivers: Array<DriverDocument>, 
 /** Traced points: points of links that are not joints. */ tracers?: Array<TracerDocument>, 
+/** Acceleration of free fall, x and y, m/s²; without it there is no gravity. */ gravity?: [number, number] | null, 
+/** Loads: forces, torques and resistances. */ loads?: Array<LoadDocument>, 
+/** Springs. */ springs?: Array<SpringDocument>, 
+/** Dampers. */ dampers?: Array<DamperDocument>, 
+/** Motor of the first driver; without it the driver is free in a motion under load. */ motor?: MotorDocument | null, 
+/**
+ * Rate of the input at the start of a motion under load: radians of a crank, or units of length, per second; 0 by
+ * default. Reactions are those at this rate.
+ */
+initial_rate?: number | null, 
 /** Plotted quantities: `LINK.angle`, `POINT.x` or `POINT.y`. */ plots?: Array<string>, 
 /** The points whose paths are drawn. */ traces?: Array<string>, 
 /**
@@ -113,6 +135,15 @@ band?: number | null,
  * contain this field: an assembly is now saved as its drawing.
  */
 assembly?: number | null, };
+export type LoadDocument = { 
+/** The link on which the load acts. */ link: string, 
+/** The point at which a force or resistance acts; without a point it is a torque. */ point?: string | null, 
+/** Force, N, or torque, N·m, the same at every input. */ value?: number | null, 
+/** Force or torque linear between knots: inputs (degrees of a crank, or the unit of lengths) and values. */ table?: Array<[number, number]> | null, 
+/** Force or torque as a sum of harmonics of the input. */ terms?: Array<HarmonicDocument> | null, 
+/** Direction of the force, degrees from the x-axis, or from the link's direction if it turns with the link. */ direction_deg?: number | null, 
+/** True if the force turns with the link. */ turns?: boolean, 
+/** Resistance (k₁ + k₂|v|)v to the velocity of the point, or to the angular velocity: k₁ and k₂ in SI units. */ resistance?: [number, number] | null, };
 export type MagnetsDocument = { 
 /** Polarity of the plates. */ poles: PolesDocument, 
 /** Greatest torques that one satellite exerts on sun and ring, N·m. */ peak: [number, number], 
@@ -141,6 +172,14 @@ export type MixerTracerDocument = {
 /** The link that carries the point: `crank`, `coupler`, `rocker`, `wheel5`, `wheel6`, … */ link: string, 
 /** Coordinate along the link, from the link's first joint. */ x: number, 
 /** Coordinate perpendicular to the link, to the left. */ y: number, };
+export type MotorDocument = { 
+/** Torque of a motor with the same torque at every speed. */ torque?: number | null, 
+/** Torque at rest of a motor whose torque is linear in the speed. */ stall?: number | null, 
+/** Speed without load of such a motor. */ no_load?: number | null, 
+/** Pull-out torque of an induction motor, by Kloss's formula. */ pull_out?: number | null, 
+/** Slip of such a motor at the pull-out torque. */ slip?: number | null, 
+/** Synchronous speed of such a motor. */ synchronous?: number | null, 
+/** Torque linear between knots: speeds and torques. */ table?: Array<[number, number]> | null, };
 export type NumberDocument = { 
 /** Name of the quantity, such as `rocker.angle` or `C.x′`. */ quantity?: string | null, 
 /**
@@ -228,6 +267,12 @@ export type SlideDocument = {
 /** The link that carries the line, or `frame`. */ on: string, 
 /** Two points through which the line passes, on the link that carries it. */ line: [string, string], };
 export type SpeedUnit = "rad_per_s" | "per_min";
+export type SpringDocument = { 
+/** The points of its two ends. */ ends?: [AnchorDocument, AnchorDocument] | null, 
+/** The links between which it acts on their relative angle, if it has no ends. */ links?: [string, string] | null, 
+/** Stiffness: N/m, or N·m per radian. */ stiffness: number, 
+/** Length without load, in the unit of lengths; 0 by default. */ free_length?: number | null, 
+/** Angle of the first link relative to the second without load, degrees; 0 by default. */ free_angle_deg?: number | null, };
 export type StepDocument = { 
 /** Title of the step. */ title: string, 
 /** Paragraphs, one per line. Asterisks mark `*emphasis*`, and `_` starts a subscript in a symbol. */ text: string, 

@@ -3,7 +3,7 @@
 mod condition;
 mod equations;
 mod found;
-mod linkage;
+pub(crate) mod linkage;
 mod places;
 mod redrawn;
 mod rows;

@@ -10,6 +10,7 @@ mod draw;
 mod drivers;
 mod dyads;
 mod following;
+mod forces;
 mod groups;
 mod mixers;
 mod motion;

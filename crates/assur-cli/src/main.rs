@@ -1,5 +1,5 @@
 //! The command `assur`: mechanisms of the catalogue and of files as tables, drawings, Assur groups and circuits; their
-//! mobility; four-bars for given positions; differentials from numbers of teeth.
+//! forces, motion under load and mobility; four-bars for given positions; differentials from numbers of teeth.
 //!
 //! Each command has its own file. `source.rs` finds what NAME denotes; `words.rs` turns problems into sentences.
 
@@ -8,6 +8,7 @@ mod circuits;
 mod csv;
 mod differential;
 mod exact;
+mod forces;
 mod mobility;
 mod plot;
 mod source;
@@ -57,6 +58,32 @@ enum Command {
     /// P.vx, P.vy, P.ax, P.ay. With --degrees, angles are in degrees, and derivatives are with respect to degrees of
     /// the crank. The last column, `reason`, says why there is no pose or no derivative.
     Sweep(sweep::Asked),
+    /// Writes a table (CSV) of the reactions in all pairs and of the torques or forces that balance the drivers.
+    ///
+    /// Masses, gravity, loads, springs and dampers are those of the file (docs/file-format.md). The driver moves at a
+    /// constant speed, or as --omega and --epsilon say. Rows are those of `assur sweep`.
+    ///
+    /// After the input come DRIVER.torque, or DRIVER.force of a driven slide, then for each pair the force on one link
+    /// from the other and its opposite: PAIR.ON.FROM.x and PAIR.ON.FROM.y, where ON and FROM are links. Slides and
+    /// meshes have also PAIR.ON.FROM.moment, about the sliding point. Forces are in newtons, torques in newton metres,
+    /// positive counter-clockwise; without a unit of lengths they are in the consistent unit. A cell is empty if
+    /// redundant constraints leave it undetermined, or if there is no pose; `reason` says why there is none.
+    ///
+    /// With --json: {"rows": [{"input", "drivers": [{"name", "torque" or "force"}], "reactions": [{"pair", "on", "from",
+    /// "x", "y", "moment"}]}]}, with null for what is undetermined.
+    ///
+    /// Example: assur forces crank.json --step 10 --omega 20
+    Forces(forces::Asked),
+    /// Writes the motion under load over time as a table (CSV).
+    ///
+    /// The linkage has one driver. It is free, or turned by the motor of the file, and moves under its loads from the
+    /// pose of the drawing at the initial rate of the file. Columns are t (seconds), input (radians, or a length for a
+    /// slide), rate and acceleration of the input, then in joules the kinetic and potential energy, the work of the
+    /// motor and of the given forces, and the energy lost in resistances and dampers. If the motion ends at a dead
+    /// point, the last row is there, and standard error says so.
+    ///
+    /// Example: assur run crank.json --until 3 --every 0.01
+    Run(forces::RunAsked),
     /// Shows mobility, class, formula, passive wheels, the Assur groups in their order, and the range of the motion
     /// with its dead points and change points.
     ///
@@ -194,6 +221,8 @@ fn run(command: Command) -> Result<(), Failure> {
             }
         }
         Command::Sweep(asked) => sweep::write(&mut out, &asked)?,
+        Command::Forces(asked) => forces::write(&mut out, &asked)?,
+        Command::Run(asked) => forces::run(&mut out, &asked)?,
         Command::Structure {
             name,
             make_exact: true,

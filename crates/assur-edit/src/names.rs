@@ -130,6 +130,7 @@ pub(crate) fn rename_link(document: &mut LinkageDocument, from: &str, to: &str) 
         .tracers
         .iter_mut()
         .for_each(|tracer| put(&mut tracer.link));
+    document.links_under_load(&mut { put });
     rename_plots(document, from, to, &["angle"]);
 }
 
@@ -159,6 +160,7 @@ pub(crate) fn rename_point(document: &mut LinkageDocument, from: &str, to: &str)
     }
     document.traces.iter_mut().for_each(put);
     document.locks.iter_mut().flatten().for_each(put);
+    document.points_under_load(&mut |point, _| put(point));
     rename_plots(document, from, to, &["x", "y"]);
 }
 

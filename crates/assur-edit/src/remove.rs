@@ -56,6 +56,8 @@ impl Drawing {
         document
             .tracers
             .retain(|tracer| !gone.contains(&tracer.link) && !points.contains(&tracer.name));
+        let is_gone = |name: &str| points.iter().any(|point| point == name);
+        document.remove_under_load(|link| gone.contains(link), is_gone);
         document.gears.retain(|gear| {
             !gear
                 .links
@@ -205,6 +207,11 @@ impl Drawing {
                 one.points.iter_mut().for_each(put);
                 one.centre_of_mass.iter_mut().for_each(put);
             }
+            document.points_under_load(&mut |name, of| {
+                if of == link {
+                    put(name);
+                }
+            });
             for slide in &mut document.slides {
                 if slide.link == link {
                     put(&mut slide.point);

@@ -41,8 +41,11 @@ pub fn selected(
             .all(link)
             .then_some(driver)
     });
-    LinkageDocument {
+    let mut part = LinkageDocument {
         unit: document.unit,
+        loads: document.loads.clone(),
+        springs: document.springs.clone(),
+        dampers: document.dampers.clone(),
         points: document
             .points
             .iter()
@@ -83,7 +86,9 @@ pub fn selected(
             })
             .collect(),
         ..LinkageDocument::default()
-    }
+    };
+    part.remove_under_load(|name| !links.iter().any(|one| one == name), |_| false);
+    part
 }
 
 impl Drawing {
@@ -119,6 +124,9 @@ impl Drawing {
         document.gears.extend(other.gears);
         document.drivers.extend(other.drivers);
         document.tracers.extend(other.tracers);
+        document.loads.extend(other.loads);
+        document.springs.extend(other.springs);
+        document.dampers.extend(other.dampers);
         document.locks.extend(other.locks);
         for (k, name) in points.iter().enumerate() {
             let free = names::free_point(document, name);

@@ -33,8 +33,10 @@ pub use kinds::gear_train::{
     ObserverDocument, PolesDocument, ShaftDocument,
 };
 pub use kinds::linkage::{
-    DriverDocument, GearDocument, LinkDocument, LinkageDocument, LinkageProblem, MeshDocument,
-    PointDocument, SlideDocument, TracerDocument, dimension_field, in_field, of_field, rate_field,
+    AnchorDocument, DamperDocument, DriverDocument, ForceUnits, GearDocument, HarmonicDocument,
+    LinkDocument, LinkageDocument, LinkageProblem, LoadDocument, MeshDocument, MotorDocument,
+    PointDocument, SlideDocument, SpringDocument, TracerDocument, dimension_field, in_field,
+    of_field, rate_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::numbers::NumberField;

@@ -17,6 +17,7 @@ use std::hint::black_box;
 
 use assur::circuits::Circuits;
 use assur::dynamics::TICKS_PER_SECOND;
+use assur::forces::{Kinetostatics, Loading, LoadingSpec, Reactions};
 use assur::mechanism::{self, LinkId, Method, PointId, Quantity};
 use assur::mixer::{Case, Mixer};
 use assur::mobility::Space;
@@ -120,6 +121,19 @@ fn speed() {
                 }
             }),
         ));
+    }
+
+    for (name, with_reactions, linkage) in [
+        ("Jansen, poses with both derivatives", false, "jansen"),
+        ("Jansen, reactions in these poses", true, "jansen"),
+        (
+            "Class IV, poses with both derivatives",
+            false,
+            "class4-dwell",
+        ),
+        ("Class IV, reactions in these poses", true, "class4-dwell"),
+    ] {
+        contestants.push((name, DEGREES * SWEEPS, reactions(linkage, with_reactions)));
     }
 
     let class4 = motion("class4-dwell").mechanism().clone();
@@ -247,6 +261,35 @@ fn store(columns: &mut Columns, index: usize, linkage: &FourBar, crank: f64) {
         columns[2 * order][index] = pose.coupler.derivative(order);
         columns[2 * order + 1][index] = pose.rocker.derivative(order);
     }
+}
+
+/// Sweeps of a linkage whose links are uniform bars, under gravity: its poses, with the reactions in them or without.
+fn reactions(name: &str, with_reactions: bool) -> Box<dyn FnMut()> {
+    let mut spec = motion(name).mechanism().spec().clone();
+    for link in &mut spec.links {
+        link.mass = Some(1.0);
+    }
+    let motion = Motion::new(mechanism::Mechanism::new(&spec).unwrap());
+    let gravity = assur::Vector::new(0.0, -9.81);
+    let loading = LoadingSpec {
+        gravity,
+        ..LoadingSpec::default()
+    };
+    let loading = Loading::new(motion.mechanism(), &loading).unwrap();
+    let forces = Kinetostatics::new(motion.mechanism());
+    let mut pose = motion.mechanism().blank::<3>();
+    let mut found = Reactions::default();
+    Box::new(move || {
+        for index in 0..DEGREES * SWEEPS {
+            let crank = black_box(TAU * ((index % DEGREES) as f64 + 0.3) / DEGREES as f64);
+            motion.place(crank, &mut pose).unwrap();
+            if with_reactions {
+                let balanced = forces.balance(&loading, &pose, crank, [10.0, 0.0], &mut found);
+                balanced.unwrap();
+            }
+            black_box((&pose, &found));
+        }
+    })
 }
 
 /// The motion of a linkage of the catalogue, as it is drawn.

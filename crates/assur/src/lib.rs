@@ -34,6 +34,7 @@ pub mod circuits;
 mod combined_method;
 pub mod curvature;
 pub mod dynamics;
+pub mod forces;
 mod four_bar;
 pub mod gears;
 mod geometry;

@@ -2,7 +2,7 @@
 
 use assur::motion::{At, Grid, Motion};
 
-use super::Asked;
+use super::Rows;
 use crate::Failure;
 use crate::words::short;
 
@@ -35,9 +35,9 @@ pub(crate) fn asked_for(option: &str, value: f64, turns: bool) -> Result<At, Fai
 ///
 /// # Errors
 /// An invalid number; a step or an interval with too many rows or none.
-pub(super) fn inputs(
+pub(crate) fn inputs(
     motion: &Motion,
-    asked: &Asked,
+    asked: &Rows,
 ) -> Result<Box<dyn Iterator<Item = At>>, Failure> {
     let turns = motion.mechanism().turns();
     if !asked.at.is_empty() {
@@ -85,7 +85,7 @@ pub(super) fn inputs(
 ///
 /// # Errors
 /// An invalid number.
-pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<Option<f64>, Failure> {
+pub(super) fn first(motion: &Motion, asked: &Rows) -> Result<Option<f64>, Failure> {
     let turns = motion.mechanism().turns();
     let first = match (asked.at.first(), asked.from) {
         (Some(at), _) => Some(asked_for("--at", *at, turns)?),
@@ -96,7 +96,7 @@ pub(super) fn first(motion: &Motion, asked: &Asked) -> Result<Option<f64>, Failu
 }
 
 /// Returns the interval from `--from` to `--to`, or else the arcs of the motion.
-fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
+fn stretches(motion: &Motion, asked: &Rows) -> Result<Vec<[At; 2]>, Failure> {
     let turns = motion.mechanism().turns();
     let arcs = motion.arcs_in(unit(turns));
     let [Some(first), Some(last)] = [arcs.first(), arcs.last()] else {
@@ -124,7 +124,7 @@ fn stretches(motion: &Motion, asked: &Asked) -> Result<Vec<[At; 2]>, Failure> {
 ///
 /// # Errors
 /// The value is not a number, or is too large.
-pub(super) fn rate(option: &str, value: f64) -> Result<f64, Failure> {
+pub(crate) fn rate(option: &str, value: f64) -> Result<f64, Failure> {
     within(option, value, MAX_RATE)
 }
 

@@ -13,13 +13,11 @@ use crate::csv::{Cell, Csv};
 use crate::words::{Words, number};
 use crate::{Failure, source};
 use columns::Names;
-pub(crate) use grid::asked_for;
+pub(crate) use grid::{asked_for, inputs, rate};
 
-/// Arguments of `assur sweep`.
+/// Choice of the inputs of a table.
 #[derive(Args)]
-pub(crate) struct Asked {
-    /// Catalogue name or file.
-    name: source::Name,
+pub(crate) struct Rows {
     /// Step: degrees, or a length for a driven slide [default: 1°, or a 360th of the range]
     #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
     step: Option<f64>,
@@ -40,6 +38,15 @@ pub(crate) struct Asked {
         conflicts_with_all = ["step", "from", "to"]
     )]
     at: Vec<f64>,
+}
+
+/// Arguments of `assur sweep`.
+#[derive(Args)]
+pub(crate) struct Asked {
+    /// Catalogue name or file.
+    name: source::Name,
+    #[command(flatten)]
+    rows: Rows,
     /// Only these columns, in this order, named as in the header without units. C.transmission and C.pressure, the
     /// transmission and pressure angles of the dyad with the inner joint C, can also be named
     #[arg(long, value_name = "NAME,NAME", allow_hyphen_values = true)]
@@ -73,7 +80,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     let drawn = source::moved(&asked.name)?;
     let motion: Motion = match asked.assembly {
         Some(number) => {
-            let first = grid::first(&drawn.motion, asked)?;
+            let first = grid::first(&drawn.motion, &asked.rows)?;
             source::in_assembly(drawn, &asked.name, number, first)?.motion
         }
         None => drawn.motion,
@@ -96,7 +103,7 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         },
         None => InputRate::ANALOGUES,
     };
-    let inputs = grid::inputs(&motion, asked)?;
+    let inputs = grid::inputs(&motion, &asked.rows)?;
 
     let csv = Csv {
         decimal_comma: asked.decimal_comma,

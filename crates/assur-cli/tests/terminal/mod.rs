@@ -4,6 +4,7 @@ mod arguments;
 mod assemblies;
 mod drawings;
 mod files;
+mod forces;
 mod golden;
 mod imported;
 mod linkages;

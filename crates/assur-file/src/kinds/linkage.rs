@@ -2,6 +2,7 @@
 //! docs/file-format.md describes it field by field.
 
 mod check;
+mod forces;
 mod moved;
 mod problem;
 mod spec;
@@ -14,6 +15,10 @@ use super::draft::DraftDocument;
 use super::numbers::{self, NumberField};
 use super::{Document, Kind};
 use crate::{Field, LengthUnit, Problem, catalogue};
+pub use forces::{
+    AnchorDocument, DamperDocument, ForceUnits, HarmonicDocument, LoadDocument, MotorDocument,
+    SpringDocument,
+};
 pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
 
 /// A linkage. Its parts refer to each other by name, and all lengths are in one unit. Unknown keys are refused:
@@ -54,6 +59,28 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub tracers: Vec<TracerDocument>,
+    /// Acceleration of free fall, x and y, m/s²; without it there is no gravity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gravity: Option<[f64; 2]>,
+    /// Loads: forces, torques and resistances.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub loads: Vec<LoadDocument>,
+    /// Springs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub springs: Vec<SpringDocument>,
+    /// Dampers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub dampers: Vec<DamperDocument>,
+    /// Motor of the first driver; without it the driver is free in a motion under load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motor: Option<MotorDocument>,
+    /// Rate of the input at the start of a motion under load: radians of a crank, or units of length, per second; 0 by
+    /// default. Reactions are those at this rate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_rate: Option<f64>,
     /// Plotted quantities: `LINK.angle`, `POINT.x` or `POINT.y`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
@@ -125,9 +152,12 @@ pub struct LinkDocument {
     /// Centre of mass of the link, one of its points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub centre_of_mass: Option<String>,
-    /// Mass of the link, kilograms.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// Mass of the link, kilograms. It may also be called `mass`.
+    #[serde(default, alias = "mass", skip_serializing_if = "Option::is_none")]
     pub mass_kg: Option<f64>,
+    /// Moment of inertia of the link about its centre of mass: kilograms times the square of the unit of lengths.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<f64>,
 }
 
 /// A prismatic pair.

@@ -2,6 +2,9 @@
 
 use crate::gears::train::Shaft;
 
+/// Number of bodies.
+pub(super) const N: usize = 4;
+
 /// A body of the differential. Its angle is measured relative to the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Body {

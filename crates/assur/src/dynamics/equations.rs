@@ -3,10 +3,11 @@
 //! Arrays over the bodies are in the order of [`Body::ALL`]. Inertia, damping and torques of the satellites are totals
 //! over all k satellites.
 
+use super::body::N;
 use super::differential::following;
-use super::gauss::{Moment, N};
 use super::{Load, Mesh, Parameters, Profile};
 use crate::angle::{Angle, combination};
+use crate::numeric::gauss::Moment;
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Equations {
@@ -192,7 +193,7 @@ impl Equations {
     }
 
     /// Torques on the bodies, without those that enforce given speeds and ratios.
-    fn torques(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
+    fn torques(&self, driving: &Driving, moment: &Moment<N>) -> [f64; N] {
         let v = &moment.rates;
         let mut torques: [f64; N] = std::array::from_fn(|body| {
             let (torque, growth) = driving.torque[body];
@@ -218,7 +219,7 @@ impl Equations {
         self.count[body] * self.load[body].torque(speed)
     }
 
-    pub(super) fn accelerations(&self, driving: &Driving, moment: &Moment) -> [f64; N] {
+    pub(super) fn accelerations(&self, driving: &Driving, moment: &Moment<N>) -> [f64; N] {
         let mut torques = self.torques(driving, moment);
         for (body, follows) in self.following.iter().enumerate() {
             if let Following::Body { to, ratio } = follows {
@@ -251,7 +252,7 @@ impl Equations {
     pub(super) fn drive_torques(
         &self,
         driving: &Driving,
-        moment: &Moment,
+        moment: &Moment<N>,
         accelerations: &[f64; N],
     ) -> [f64; N] {
         let torques = self.torques(driving, moment);
@@ -277,7 +278,7 @@ impl Equations {
     pub(super) fn powers(
         &self,
         driving: &Driving,
-        moment: &Moment,
+        moment: &Moment<N>,
         accelerations: &[f64; N],
     ) -> Powers {
         let v = &moment.rates;

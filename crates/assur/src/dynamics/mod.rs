@@ -32,7 +32,6 @@ mod body;
 mod defect;
 mod differential;
 mod equations;
-mod gauss;
 mod parameters;
 mod profile;
 mod reading;

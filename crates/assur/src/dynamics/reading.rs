@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use super::gauss::Moment;
 use super::run::{Run, TICK};
 use super::{Body, Mesh};
 use crate::Angle;
 use crate::gears::train::Turned;
+use crate::numeric::gauss::Moment;
 use crate::relation::Relation;
 
 /// Number of natural periods without a slip after which a mesh counts as synchronous.

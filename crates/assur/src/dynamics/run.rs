@@ -1,10 +1,11 @@
 //! A run: the state of a differential, advanced tick by tick.
 
+use super::body::N;
 use super::defect::{Defects, SPEED};
 use super::equations::{Equations, Following, Powers};
-use super::gauss::{self, N, Past};
 use super::{Body, Defect, Differential, Mesh};
 use crate::angle::{Angle, sum};
+use crate::numeric::gauss::{self, Past};
 
 /// Ticks per second: a power of two, so that times are exact.
 pub const TICKS_PER_SECOND: u32 = 1024;
@@ -62,7 +63,7 @@ pub(super) struct State {
     pub(super) speeds: [f64; N],
     /// Rounding errors of the speeds, to be added in the next step.
     lost: [f64; N],
-    past: Past,
+    past: Past<N>,
     /// Current number of halvings of a tick.
     halvings: u32,
     /// Works of drives, damping and loads since the start of the balance, each with its rounding error, J.

@@ -1,7 +1,7 @@
 //! Stiffness of the equations of motion, which bounds the step.
 
+use super::body::N;
 use super::equations::{Equations, Following};
-use super::gauss::N;
 use super::run::{QUICKEST, TICK};
 use super::{Body, Mesh};
 use crate::Angle;

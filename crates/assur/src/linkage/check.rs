@@ -92,11 +92,21 @@ fn numbers(spec: &LinkageSpec, found: &mut Vec<Defect>) {
     }
     for link in &spec.links {
         let places = link.shape.iter().flatten();
-        let mass = link.mass.is_none_or(|mass| sound(mass) && mass >= 0.0);
-        if !mass || !places.clone().all(|at| sound(at.x) && sound(at.y)) {
+        let [mass, inertia] = [link.mass, link.inertia].map(|given| given.unwrap_or(0.0));
+        if ![mass, inertia].into_iter().all(sound)
+            || !places.clone().all(|at| sound(at.x) && sound(at.y))
+        {
             found.push(Defect::NotFinite {
                 name: link.name.clone(),
             });
+            continue;
+        }
+        if mass < 0.0 {
+            let link = link.name.clone();
+            found.push(Defect::NegativeMass { link, mass });
+        } else if inertia < 0.0 || inertia > 0.0 && mass == 0.0 {
+            let link = link.name.clone();
+            found.push(Defect::ImpossibleInertia { link, inertia });
         }
     }
     for driver in &spec.drivers {

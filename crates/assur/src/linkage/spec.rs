@@ -60,10 +60,14 @@ pub struct LinkSpec {
     pub shape: Option<Vec<Point>>,
     /// The link, or the frame, to which this link is fixed, as a wheel to its shaft: both turn as one.
     pub fixed_to: Option<String>,
-    /// Name of the centre of mass, one of the points of the link.
+    /// Name of the centre of mass, one of the points of the link. None for a uniform bar between the first two points,
+    /// or for a link of one point.
     pub centre_of_mass: Option<String>,
-    /// Mass of the link, kilograms.
+    /// Mass of the link; none counts as zero.
     pub mass: Option<f64>,
+    /// Moment of inertia of the link about its centre of mass, in units of mass and of length. None for that of a
+    /// uniform bar, ml²/12, or zero if the centre of mass is given.
+    pub inertia: Option<f64>,
 }
 
 /// A prismatic pair: `link` slides along a straight line of the link `on`.
@@ -150,8 +154,13 @@ pub enum Defect {
     Twice { name: String },
     /// The name of a point or of a link that does not exist.
     UnknownName { name: String },
-    /// A coordinate, a mass or an end of a range that is not finite, or is outside the allowed values.
+    /// A coordinate, a mass, a moment of inertia or an end of a range that is not finite, or is outside the allowed
+    /// values.
     NotFinite { name: String },
+    /// A link with a negative mass.
+    NegativeMass { link: String, mass: f64 },
+    /// A link with a moment of inertia that no body has: negative, or not zero without a mass.
+    ImpossibleInertia { link: String, inertia: f64 },
     /// A driven slide whose range has its ends in the wrong order.
     RangeReversed { link: String, from: f64, to: f64 },
     /// A driven slide whose range has equal ends.
@@ -242,6 +251,17 @@ impl LinkageSpec {
             points: points.iter().map(|point| (*point).to_owned()).collect(),
             ..LinkSpec::default()
         });
+        self
+    }
+
+    /// Gives the last link a mass and a moment of inertia about its centre of mass, one of its points.
+    #[must_use]
+    pub fn with_mass(mut self, mass: f64, centre: &str, inertia: f64) -> Self {
+        if let Some(link) = self.links.last_mut() {
+            link.mass = Some(mass);
+            link.centre_of_mass = Some(centre.to_owned());
+            link.inertia = Some(inertia);
+        }
         self
     }
 

@@ -39,11 +39,11 @@ pub use plan::doubled::DoubledLink;
 pub use pose::{Pose, Unsolved};
 pub(crate) use rate::MAX_PERIOD;
 pub(crate) use rate::NEVER;
-pub(crate) use readout::arms_of;
 pub use readout::{
     Constraint, ConstraintKind, FourBarLoop, Joint, LinkOrFrame, Multiple, OuterJoint, Quantity,
     RrpDyad, RrrDyad, Sides,
 };
+pub(crate) use readout::{Contact, Guide, arms_of};
 pub use redundant::Mobility;
 
 pub use crate::index::{BodyId, LinkId, PointId, SlideId, StepId};

@@ -157,7 +157,7 @@ impl Mechanism {
 }
 
 impl LinkageSpec {
-    pub(super) fn name_of(&self, link: LinkOrFrame) -> &str {
+    pub(crate) fn name_of(&self, link: LinkOrFrame) -> &str {
         link.map_or(FRAME, |link| &self.links[link.index()].name)
     }
 }

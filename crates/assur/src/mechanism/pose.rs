@@ -51,6 +51,10 @@ impl<const N: usize> Pose<N> {
         Self::of(self.state.bodies())
     }
 
+    pub(crate) fn state(&self) -> &State<N> {
+        &self.state
+    }
+
     pub(crate) fn parts(&mut self) -> (&mut State<N>, &mut Vec<f64>) {
         (&mut self.state, &mut self.guess)
     }

@@ -21,7 +21,7 @@ use crate::mechanism::plan::structured::Redundancy;
 use crate::mechanism::{
     Configuration, Layout, LinkOrFrame, Mechanism, PassiveLinks, Start, arms_of,
 };
-use crate::position::{Arm, BodyPoint, Cause, Predictor, Step};
+use crate::position::{Arm, BodyPoint, Cause, Predictor};
 use crate::structure::{self, Structure, with_passive_links};
 
 /// Offsets, on both sides of the drawn input, at which the constraints are checked: radians for a crank, multiples of
@@ -197,7 +197,7 @@ impl Layout {
     }
 
     fn is_redundant(&self, step: StepId) -> bool {
-        matches!(&self.steps[step], Step::Group(group) if group.is_redundant())
+        self.steps[step].is_redundant()
     }
 
     /// Completes the layout of a linkage with redundant constraints. Returns its drawn configuration and the start of

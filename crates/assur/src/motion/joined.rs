@@ -5,7 +5,8 @@ use std::sync::Arc;
 use super::continuation::Knots;
 use super::{DeadPoint, Motion};
 use crate::mechanism::Quantity;
-use crate::position::{Step, power_of_two};
+use crate::numeric::elimination::power_of_two;
+use crate::position::Step;
 use crate::sorting::sort_by;
 use crate::tolerance;
 

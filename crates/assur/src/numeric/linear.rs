@@ -1,5 +1,5 @@
-//! Small systems of linear equations, solved with nalgebra. Groups have an elimination of their own, in
-//! `position::group::elimination`.
+//! Small systems of linear equations, solved with nalgebra. Groups have an elimination of their own,
+//! [`super::elimination`].
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OVector, SMatrix, SVector};

@@ -7,10 +7,14 @@
 //! | `polynomial` | real roots of polynomials |
 //! | `newton` | Newton's method |
 //! | `linear` | linear equations, least squares, rank, null space, orthogonal remainder |
+//! | `elimination` | Gaussian elimination of sparse matrices by a plan made once |
+//! | `gauss` | integration of equations of motion |
 //! | `graph` | connected parts |
 //! | `angle` | whole turns |
 
 pub(crate) mod angle;
+pub(crate) mod elimination;
+pub(crate) mod gauss;
 pub(crate) mod graph;
 pub(crate) mod linear;
 pub(crate) mod newton;

@@ -32,9 +32,7 @@ pub(crate) use drive_law::DriveLaw;
 pub(crate) use dyads::{Prp, Rpp, Rpr, Rrp, Rrr, Side};
 pub(crate) use enclosure::Enclosure;
 pub(crate) use epicyclic::{EpicyclicStep, Member};
-pub(crate) use group::{
-    AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm, power_of_two,
-};
+pub(crate) use group::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm};
 use margin::{Dead, clear, crossing};
 pub(crate) use slider::Slider;
 pub(crate) use smooth_root::{KNOWN, SmoothRoot};

@@ -219,6 +219,11 @@ impl Step {
         ask!(self, kind => kind.depends_on(body))
     }
 
+    /// True if the step has redundant constraints.
+    pub(crate) fn is_redundant(&self) -> bool {
+        matches!(self, Self::Group(group) if group.is_redundant())
+    }
+
     /// Four-bar on the driven crank, if this step is the dyad of that four-bar.
     pub(crate) fn four_bar(&self) -> Option<&CrankFourBar> {
         match self {

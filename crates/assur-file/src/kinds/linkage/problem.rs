@@ -111,6 +111,28 @@ pub enum LinkageProblem {
     NoLine { link: String },
     /// A dyad of three slides, which does not exist.
     NoSuchDyad,
+    /// A load, spring, damper or motor with too many fields, or with too few.
+    UnclearForce { path: String },
+    /// A load, spring or damper on a link that does not exist.
+    ForceOnNoLink { path: String, name: String },
+    /// A load, spring or damper at a point that its link does not have.
+    ForceOnNoPoint {
+        path: String,
+        link: String,
+        point: String,
+    },
+    /// A force, stiffness, damping or speed that is not a valid number, or a table out of order.
+    ForceNoNumber { path: String },
+    /// A spring or damper with both ends on one rigid body.
+    ForceIdle { path: String },
+    /// A motion under load of a linkage with several drivers.
+    RunSeveralDrivers,
+    /// A motion under load of links without mass.
+    RunNoInertia,
+    /// A spring between two links of which one turns fully relative to the other.
+    RunWound { path: String },
+    /// Links whose reactions are unbounded in a singular pose.
+    ReactionsUnbounded { links: Vec<String> },
     /// A defect of the specification.
     #[serde(untagged)]
     Defect(Defect),

@@ -30,6 +30,7 @@ impl LinkageDocument {
                 fixed_to: link.fixed_to.clone(),
                 centre_of_mass: link.centre_of_mass.clone(),
                 mass_kg: link.mass,
+                inertia: link.inertia,
             }
         };
         let points = draft.points.iter().map(|point| PointDocument {
@@ -93,6 +94,7 @@ impl LinkageDocument {
                 fixed_to: link.fixed_to.clone(),
                 centre_of_mass: link.centre_of_mass.clone(),
                 mass: link.mass_kg,
+                inertia: link.inertia,
             }
         });
         let slides = self.slides.iter().map(|slide| SlideSpec {

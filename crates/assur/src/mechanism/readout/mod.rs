@@ -1,5 +1,6 @@
 //! Readout of a pose: quantities, measurements, joints, constraint equations, dyads.
 
+mod anchors;
 pub(in crate::mechanism) mod constraint;
 mod dyads;
 mod joints;
@@ -8,6 +9,7 @@ mod multiple;
 mod quantity;
 mod transmitting;
 
+pub(crate) use anchors::{Contact, Guide};
 pub use constraint::{Constraint, ConstraintKind, LinkOrFrame, Sides};
 pub(crate) use dyads::arms_of;
 pub use dyads::{FourBarLoop, OuterJoint, RrrDyad};

@@ -1,8 +1,8 @@
 //! Values of the forms of a group, its Jacobian, and the derivatives of its unknowns.
 
-use super::elimination::{Elimination, power_of_two};
 use super::equation::MAX_FORMS;
 use super::{Group, Work};
+use crate::numeric::elimination::{Elimination, power_of_two};
 use crate::position::complex::product;
 use crate::position::{Cause, State, StepContext};
 use crate::{Jet, Vector};

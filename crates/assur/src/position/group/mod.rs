@@ -7,25 +7,24 @@
 
 mod angle_constraint;
 mod certified;
-mod elimination;
+
 mod equation;
 mod evaluation;
 mod newton;
 mod work;
 
 pub(crate) use angle_constraint::{AngleConstraint, Drive};
-pub(crate) use elimination::power_of_two;
 pub(crate) use equation::{Equation, Form};
 use std::ops::Range;
 pub(super) use work::Work;
 
 use crate::Vector;
 use crate::index::{BodyId, StepId};
+use crate::numeric::elimination::Elimination;
 use crate::position::step::finite;
 use crate::position::{
     BodyPoint, Cause, Enclosure, Nearby, Predictor, Solvable, State, StepContext,
 };
-use elimination::Elimination;
 use equation::MAX_FORMS;
 
 /// An input of a group: a position or direction known from a solved body.

@@ -2,9 +2,9 @@
 
 use super::Group;
 use super::angle_constraint::KnownAngle;
-use super::elimination::Elimination;
 use super::equation::MAX_FORMS;
 use crate::Vector;
+use crate::numeric::elimination::Elimination;
 use crate::position::complex::Complex;
 
 /// Buffers for a group, made once and used for every sample.

@@ -2,7 +2,8 @@
 //! fill-in; structural zeros are never touched. A matrix with more rows than columns belongs to dependent equations:
 //! each column gets one pivot row, and the other rows are left out.
 //!
-//! The general [`crate::numeric::linear`] would allocate in every pose, visit the zeros and not return the determinant.
+//! It solves groups for positions and for reactions. The general [`super::linear`] would allocate in every pose, visit
+//! the zeros and not return the determinant.
 
 /// A pivot and the rows and columns it acts on, as ranges of [`Elimination::lists`].
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! Gauss collocation with three stages, for φ̈ = f(t, φ, φ̇).
+//! Gauss collocation with three stages, for φ̈ = f(t, φ, φ̇) of one coordinate or several.
 //!
 //! The method is of order 6 and symplectic: without damping the energy oscillates within bounds and does not drift
 //! (Hairer, Lubich, Wanner: *Geometric Numerical Integration*, theorem II.1.5 on the order, IV.2.2 on quadratic
@@ -8,9 +8,6 @@
 //! step and Ω the greatest natural frequency.
 
 use crate::tolerance;
-
-/// Number of coordinates, one for each body.
-pub(super) const N: usize = 4;
 
 /// √15.
 const ROOT: f64 = 3.872_983_346_207_417;
@@ -63,35 +60,35 @@ const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moment {
+pub(crate) struct Moment<const N: usize> {
     /// Time since the start of the step.
-    pub(super) time: f64,
+    pub(crate) time: f64,
     /// Change of the coordinates since the start of the step.
-    pub(super) moved: [f64; N],
+    pub(crate) moved: [f64; N],
     /// Rates of the coordinates.
-    pub(super) rates: [f64; N],
+    pub(crate) rates: [f64; N],
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Step {
+pub(crate) struct Step<const N: usize> {
     /// Change of the coordinates.
-    pub(super) moved: [f64; N],
+    pub(crate) moved: [f64; N],
     /// Change of the rates.
-    pub(super) gained: [f64; N],
+    pub(crate) gained: [f64; N],
     /// Moment, accelerations and weight of each stage, for quadrature of other quantities.
-    pub(super) stages: [(Moment, [f64; N], f64); 3],
+    pub(crate) stages: [(Moment<N>, [f64; N], f64); 3],
 }
 
 /// Accelerations at the stages of the previous step. The accelerations of the next step are extrapolated from them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Past {
+pub(crate) struct Past<const N: usize> {
     length: f64,
     accelerations: [[f64; N]; 3],
 }
 
-impl Past {
+impl<const N: usize> Past<N> {
     /// No previous step: zero accelerations.
-    pub(super) const NONE: Self = Self {
+    pub(crate) const NONE: Self = Self {
         length: 1.0,
         accelerations: [[0.0; N]; 3],
     };
@@ -118,12 +115,12 @@ impl Past {
 }
 
 /// Makes a step of the method. None if the iteration does not converge, because the step is too long.
-pub(super) fn step(
-    past: &mut Past,
+pub(crate) fn step<const N: usize>(
+    past: &mut Past<N>,
     length: f64,
     rates: &[f64; N],
-    accelerations: impl Fn(&Moment) -> [f64; N],
-) -> Option<Step> {
+    mut accelerations: impl FnMut(&Moment<N>) -> [f64; N],
+) -> Option<Step<N>> {
     let mut known = past.guess(length);
     let mut before = f64::INFINITY;
     for _ in 0..ITERATIONS {
@@ -134,7 +131,8 @@ pub(super) fn step(
             change = change.max((found - known).abs());
             size = size.max(found.abs());
         }
-        if !size.is_finite() {
+        // `max` passes over NaN, so the values themselves are looked at.
+        if !found.iter().flatten().all(|value| value.is_finite()) {
             return None;
         }
         known = found;
@@ -151,7 +149,12 @@ pub(super) fn step(
     None
 }
 
-fn moment(stage: usize, length: f64, rates: &[f64; N], known: &[[f64; N]; 3]) -> Moment {
+fn moment<const N: usize>(
+    stage: usize,
+    length: f64,
+    rates: &[f64; N],
+    known: &[[f64; N]; 3],
+) -> Moment<N> {
     let (a, a2) = (A[stage], A2[stage]);
     let sum = |weights: [f64; 3], n: usize| {
         weights[0] * known[0][n] + weights[1] * known[1][n] + weights[2] * known[2][n]
@@ -163,7 +166,12 @@ fn moment(stage: usize, length: f64, rates: &[f64; N], known: &[[f64; N]; 3]) ->
     }
 }
 
-fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N]; 3]) -> Step {
+fn whole<const N: usize>(
+    length: f64,
+    rates: &[f64; N],
+    moments: [Moment<N>; 3],
+    known: &[[f64; N]; 3],
+) -> Step<N> {
     let mut step = Step {
         moved: rates.map(|rate| length * rate),
         gained: [0.0; N],
@@ -180,9 +188,119 @@ fn whole(length: f64, rates: &[f64; N], moments: [Moment; 3], known: &[[f64; N];
     step
 }
 
+/// Steps of a length that keeps the error of each within a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Adaptive<const N: usize> {
+    past: Past<N>,
+    /// Length of the next step.
+    length: f64,
+}
+
+/// Change over a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Advance<const N: usize> {
+    /// Length of the step.
+    pub(crate) length: f64,
+    /// Change of the coordinates.
+    pub(crate) moved: [f64; N],
+    /// Change of the rates.
+    pub(crate) gained: [f64; N],
+    /// Estimated error of two half steps, before extrapolation: of the coordinates, then of the rates.
+    error: [[f64; N]; 2],
+}
+
+/// Factor by which the error of two half steps is below their difference from one whole step, for a method of order 6.
+const HALVES: f64 = 63.0;
+/// Greatest factors by which the next step is longer or shorter.
+const LONGER: f64 = 2.0;
+const SHORTER: f64 = 0.25;
+
+impl<const N: usize> Adaptive<N> {
+    pub(crate) fn new(length: f64) -> Self {
+        let past = Past::NONE;
+        Self { past, length }
+    }
+
+    /// Makes a step of at most a given length: two half steps, extrapolated by their difference from a whole step. The
+    /// method is symmetric, so the result is of order 8. `error` divides the estimated errors of coordinates and rates
+    /// by their tolerances. None if even a step of length `least` fails.
+    pub(crate) fn step(
+        &mut self,
+        [most, least]: [f64; 2],
+        rates: &[f64; N],
+        mut accelerations: impl FnMut(&Moment<N>) -> [f64; N],
+        error: impl Fn([[f64; N]; 2]) -> f64,
+    ) -> Option<Advance<N>> {
+        let mut length = self.length.min(most);
+        loop {
+            if let Some((advance, past)) = self.tried(length, rates, &mut accelerations) {
+                let off = error(advance.error);
+                let factor = 0.9 * off.max(1e-9).powf(-1.0 / 7.0);
+                let next = length * factor.clamp(SHORTER, LONGER);
+                if off <= 1.0 {
+                    // A step cut short by its limit says nothing against the length before it.
+                    self.length = if length < self.length {
+                        self.length.max(next)
+                    } else {
+                        next
+                    };
+                    self.past = past;
+                    return Some(advance);
+                }
+                length = next.min(0.9 * length);
+            } else {
+                length *= SHORTER;
+            }
+            self.length = length;
+            if length < least {
+                return None;
+            }
+        }
+    }
+
+    /// A step of a given length, and the accelerations of its second half.
+    fn tried(
+        &self,
+        length: f64,
+        rates: &[f64; N],
+        accelerations: &mut impl FnMut(&Moment<N>) -> [f64; N],
+    ) -> Option<(Advance<N>, Past<N>)> {
+        let half = 0.5 * length;
+        let mut past = self.past;
+        let first = step(&mut past, half, rates, &mut *accelerations)?;
+        let middle = std::array::from_fn(|n| rates[n] + first.gained[n]);
+        let second = step(&mut past, half, &middle, |moment| {
+            let mut later = *moment;
+            later.time += half;
+            for (moved, before) in later.moved.iter_mut().zip(first.moved) {
+                *moved += before;
+            }
+            accelerations(&later)
+        })?;
+        let whole = step(&mut self.past.clone(), length, rates, accelerations)?;
+        let sum = |of: fn(&Step<N>) -> &[f64; N]| -> [[f64; N]; 2] {
+            let halves: [f64; N] = std::array::from_fn(|n| of(&first)[n] + of(&second)[n]);
+            let error = std::array::from_fn(|n| (halves[n] - of(&whole)[n]) / HALVES);
+            [std::array::from_fn(|n| halves[n] + error[n]), error]
+        };
+        let [moved, off] = sum(|step| &step.moved);
+        let [gained, off_rates] = sum(|step| &step.gained);
+        let advance = Advance {
+            length,
+            moved,
+            gained,
+            error: [off, off_rates],
+        };
+        Some((advance, past))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const N: usize = 4;
+    type Moment = super::Moment<N>;
 
     /// Accelerations of four independent coordinates: a pendulum, a damped oscillator, a fan that runs down, and a
     /// force that grows with time.
@@ -242,6 +360,28 @@ mod tests {
         assert!((v[2] - 2.0 / 9.0).abs() < 1e-11 && (q[2] - 9.0_f64.ln()).abs() < 1e-11);
         // The growing force: φ = t⁷/42.
         assert!((q[3] - end.powi(7) / 42.0).abs() < 1e-9 * q[3]);
+    }
+
+    /// Steps found by their error: a pendulum from rest, over many swings, keeps its energy.
+    #[test]
+    fn adaptive_steps() {
+        let (mut q, mut v, mut time, mut count) = (2.5_f64, 0.0_f64, 0.0_f64, 0);
+        let mut steps = Adaptive::<1>::new(1.0);
+        while time < 100.0 {
+            let f = |moment: &super::Moment<1>| [-(q + moment.moved[0]).sin()];
+            let error =
+                |[moved, gained]: [[f64; 1]; 2]| moved[0].abs().max(gained[0].abs()) / 1e-13;
+            let advance = steps.step([100.0 - time, 1e-9], &[v], f, error).unwrap();
+            q += advance.moved[0];
+            v += advance.gained[0];
+            time += advance.length;
+            count += 1;
+        }
+        let off = 0.5 * v * v - q.cos() + 2.5_f64.cos();
+        assert!(off.abs() < 1e-13, "{off:e}");
+        assert!((200..4_000).contains(&count), "{count}");
+        let no = steps.step([1.0, 1e-3], &[v], |_| [f64::NAN], |_| 0.0);
+        assert!(no.is_none());
     }
 
     #[test]

@@ -1,0 +1,218 @@
+//! Tables of reactions, and of the motion under load.
+
+use serde_json::{Value, json};
+
+use super::run::{Scratch, Table, assur, refused, said};
+
+/// A crank of 100 mm with 2 kg at its end and a slider-crank behind it, in millimetres.
+fn slider_crank() -> Value {
+    json!({
+        "unit": "mm",
+        "points": [
+            {"name": "A", "at": [0, 0]}, {"name": "B", "at": [100, 0]}, {"name": "C", "at": [400, 0]},
+            {"name": "E", "at": [900, 0]}
+        ],
+        "frame": ["A", "E"],
+        "links": [
+            {"name": "crank", "points": ["A", "B"], "centre_of_mass": "B", "mass": 2},
+            {"name": "rod", "points": ["B", "C"]},
+            {"name": "slider", "points": ["C"], "mass_kg": 3}
+        ],
+        "slides": [{"link": "slider", "point": "C", "on": "frame", "line": ["A", "E"]}],
+        "drivers": [{"crank": "crank"}],
+        "gravity": [0, -10],
+        "loads": [{"link": "slider", "point": "C", "value": 50, "direction_deg": 180}]
+    })
+}
+
+/// The crank horizontal: 20 N at 0.1 m. The rod and the crank are in line, so the slider presses with 50 N on A, and its
+/// own weight is on the guide.
+#[test]
+fn reactions_in_newtons_of_a_drawing_in_millimetres() {
+    let file = Scratch::with("forces.json", &slider_crank().to_string());
+    let table = Table::of(&said(&["forces", file.path(), "--step", "90"]));
+    assert_eq!(table.rows.len(), 5);
+    assert_eq!(table.header[..2], ["phi_deg", "crank.torque"]);
+    let near = |name: &str, expected: f64| {
+        let found = table.number(0, name);
+        assert!((found - expected).abs() < 1e-9, "{name}: {found}");
+    };
+    near("crank.torque", 2.0);
+    near("A.crank.frame.x", 50.0);
+    near("A.crank.frame.y", 20.0);
+    near("A.frame.crank.x", -50.0);
+    near("C.slider.rod.x", 50.0);
+    near("C.slider.frame.x", 0.0);
+    near("C.slider.frame.y", 30.0);
+    near("C.slider.frame.moment", 0.0);
+    // At 20 rad/s the mass at B and the slider are accelerated: 2·0.1·400 and 3·0.1·400·(1 + 1/3) inwards.
+    let text = said(&[
+        "forces",
+        file.path(),
+        "--at",
+        "0",
+        "--omega",
+        "20",
+        "--json",
+    ]);
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let row = &found["rows"][0];
+    assert_eq!(row["input"], 0.0);
+    assert_eq!(row["drivers"][0]["name"], "crank");
+    let reactions = row["reactions"].as_array().unwrap();
+    let of = |pair: &str, on: &str, from: &str| {
+        let mut all = reactions.iter();
+        all.find(|one| one["pair"] == pair && one["on"] == on && one["from"] == from)
+            .unwrap()
+    };
+    let x = of("A", "crank", "frame")["x"].as_f64().unwrap();
+    assert!((x - (50.0 - 80.0 - 160.0)).abs() < 1e-9, "{x}");
+    assert_eq!(of("A", "crank", "frame")["moment"], 0.0);
+    let back = of("A", "frame", "crank")["x"].as_f64().unwrap();
+    assert_eq!(back, -x);
+}
+
+#[test]
+fn a_driven_slide_has_a_force() {
+    let mut document = slider_crank();
+    document["drivers"] = json!([{"slide": 0, "range": [250, 380]}]);
+    document["points"][2]["at"] = json!([350, 0]);
+    document["points"][1]["at"] = json!([50, 80]);
+    let file = Scratch::with("driven.json", &document.to_string());
+    let table = Table::of(&said(&["forces", file.path(), "--at", "350"]));
+    assert_eq!(table.header[..2], ["s", "slider.force"]);
+    // Virtual power: F x′ = 50 x′ + 20 y′ of B.
+    assert!(table.number(0, "slider.force").is_finite());
+}
+
+#[test]
+fn a_run_keeps_account_of_the_energy() {
+    let mut document = slider_crank();
+    document["motor"] = json!({"stall": 12, "no_load": 30});
+    document["loads"] = json!([{"link": "slider", "point": "C", "resistance": [3, 0.5]}]);
+    document["initial_rate"] = json!(5);
+    let file = Scratch::with("run.json", &document.to_string());
+    let table = Table::of(&said(&[
+        "run",
+        file.path(),
+        "--until",
+        "1",
+        "--every",
+        "0.25",
+    ]));
+    let header = [
+        "t",
+        "input",
+        "rate",
+        "acceleration",
+        "kinetic",
+        "potential",
+        "work",
+        "lost",
+    ];
+    assert_eq!(table.header, header);
+    assert_eq!(table.rows.len(), 5);
+    assert_eq!(table.cell(4, "t"), "1");
+    // At the start 2 kg and, at the end of the stroke, nothing else move: ½·2·0.5².
+    assert!((table.number(0, "kinetic") - 0.25).abs() < 1e-12);
+    let sum = |row: usize| {
+        let [kinetic, potential, work, lost] =
+            ["kinetic", "potential", "work", "lost"].map(|name| table.number(row, name));
+        assert!(lost >= 0.0);
+        kinetic + potential - work + lost
+    };
+    for row in 1..5 {
+        assert!((sum(row) - sum(0)).abs() < 1e-10, "{row}");
+    }
+    assert!(table.number(4, "lost") > 0.1);
+}
+
+#[test]
+fn a_run_that_ends_says_where() {
+    let document = json!({
+        "points": [
+            {"name": "A", "at": [0, 0]}, {"name": "B", "at": [0.2, 0.9]}, {"name": "C", "at": [0.9, 0.8]},
+            {"name": "D", "at": [1, 0]}
+        ],
+        "frame": ["A", "D"],
+        "links": [
+            {"name": "crank", "points": ["A", "B"], "mass_kg": 1}, {"name": "coupler", "points": ["B", "C"]},
+            {"name": "rocker", "points": ["D", "C"]}
+        ],
+        "drivers": [{"crank": "crank"}],
+        "initial_rate": 1
+    });
+    let file = Scratch::with("ends.json", &document.to_string());
+    let output = assur(&["run", file.path(), "--until", "60"]);
+    assert!(output.status.success());
+    let complaint = String::from_utf8(output.stderr).unwrap();
+    assert!(complaint.contains("the motion ends at"), "{complaint}");
+    let rows = String::from_utf8(output.stdout).unwrap().lines().count();
+    assert!((2..101).contains(&rows), "{rows}");
+}
+
+#[test]
+fn forces_that_are_none_are_said() {
+    let told = |change: &dyn Fn(&mut Value), command: &[&str], expected: &str| {
+        let mut document = slider_crank();
+        change(&mut document);
+        let file = Scratch::with("bad-forces.json", &document.to_string());
+        let arguments = [&[command[0], file.path()], &command[1..]].concat();
+        let (status, complaint) = refused(&arguments);
+        assert_eq!(status, 2, "{complaint}");
+        assert!(complaint.contains(expected), "{complaint}");
+    };
+    let forces = ["forces"];
+    told(
+        &|one| one["links"][0]["mass"] = json!(-1),
+        &forces,
+        "its mass -1 is negative",
+    );
+    told(
+        &|one| one["links"][1]["inertia"] = json!(4),
+        &forces,
+        "no body has the moment of inertia 4",
+    );
+    told(
+        &|one| one["loads"][0]["point"] = json!("E"),
+        &forces,
+        "loads[0]: link slider has no point E",
+    );
+    told(
+        &|one| one["loads"][0]["link"] = json!("x"),
+        &forces,
+        "loads[0]: there is no link x",
+    );
+    told(
+        &|one| one["loads"][0]["torque"] = json!(1),
+        &forces,
+        "unknown key `torque`",
+    );
+    told(
+        &|one| one["springs"] = json!([{"stiffness": 1}]),
+        &forces,
+        "springs[0]: too many fields",
+    );
+    told(
+        &|one| one["motor"] = json!({"stall": 1, "no_load": 0}),
+        &["run", "--until", "1"],
+        "motor: a number",
+    );
+    told(
+        &|one| one["links"][0]["mass"] = json!(0),
+        &["run", "--until", "0"],
+        "--until",
+    );
+    let no_mass = |one: &mut Value| {
+        for link in one["links"].as_array_mut().unwrap() {
+            link.as_object_mut()
+                .unwrap()
+                .retain(|key, _| key != "mass" && key != "mass_kg");
+        }
+    };
+    told(
+        &no_mass,
+        &["run", "--until", "1"],
+        "needs a moving link with a mass",
+    );
+}

@@ -1,0 +1,64 @@
+//! Names of links and points in saved forces, for edits that rename or remove them.
+
+use assur::linkage::FRAME;
+
+use super::AnchorDocument;
+use crate::kinds::linkage::LinkageDocument;
+
+impl LinkageDocument {
+    /// Calls a function with every name of a link in the loads, springs and dampers.
+    pub fn links_under_load(&mut self, put: &mut impl FnMut(&mut String)) {
+        for load in &mut self.loads {
+            put(&mut load.link);
+        }
+        for spring in &mut self.springs {
+            spring.links.iter_mut().flatten().for_each(&mut *put);
+        }
+        for damper in &mut self.dampers {
+            damper.links.iter_mut().flatten().for_each(&mut *put);
+        }
+        for end in self.ends() {
+            put(&mut end.link);
+        }
+    }
+
+    /// Calls a function with every name of a point in the loads, springs and dampers, and with that of its link.
+    pub fn points_under_load(&mut self, put: &mut impl FnMut(&mut String, &str)) {
+        for load in &mut self.loads {
+            if let Some(point) = &mut load.point {
+                put(point, &load.link);
+            }
+        }
+        for end in self.ends() {
+            put(&mut end.point, &end.link);
+        }
+    }
+
+    fn ends(&mut self) -> impl Iterator<Item = &mut AnchorDocument> {
+        let springs = self.springs.iter_mut();
+        let springs = springs.filter_map(|spring| spring.ends.as_mut());
+        let dampers = self.dampers.iter_mut();
+        let dampers = dampers.filter_map(|damper| damper.ends.as_mut());
+        springs.chain(dampers).flatten()
+    }
+
+    /// Removes loads, springs and dampers on links or points that are gone.
+    pub fn remove_under_load(&mut self, link: impl Fn(&str) -> bool, point: impl Fn(&str) -> bool) {
+        let is_held = |end: &AnchorDocument| !gone(&link, &end.link) && !point(&end.point);
+        let ends = |ends: &Option<[AnchorDocument; 2]>| ends.iter().flatten().all(is_held);
+        let links =
+            |links: &Option<[String; 2]>| links.iter().flatten().all(|name| !gone(&link, name));
+        self.loads.retain(|load| {
+            !gone(&link, &load.link) && !load.point.as_ref().is_some_and(|name| point(name))
+        });
+        self.springs
+            .retain(|spring| ends(&spring.ends) && links(&spring.links));
+        self.dampers
+            .retain(|damper| ends(&damper.ends) && links(&damper.links));
+    }
+}
+
+/// True if a link that is not the frame is gone.
+fn gone(link: &impl Fn(&str) -> bool, name: &str) -> bool {
+    name != FRAME && link(name)
+}

@@ -1,0 +1,48 @@
+//! Forces in a linkage: reactions and balancing torques, reduced quantities, motion under load.
+//!
+//! Units are consistent: lengths in that of the drawing, masses in any one unit, time in any one; so with metres,
+//! kilograms and seconds forces are in newtons. Torques are positive counter-clockwise. The reaction *on* a link *from*
+//! another is the force that the other exerts on it. Inertia forces are −m a at the centre of mass and −J α.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `spec`, `law` | gravity, loads, springs and dampers as a person gives them, valid or not |
+//! | `defect` | the reasons why they are refused |
+//! | `loading` | the same for a mechanism: masses of bodies, forces at places of bodies |
+//! | `applied` | the forces and couples in a pose that are not reactions |
+//! | `pair` | the wrenches that a pair can transmit |
+//! | `block` | equilibrium of a driver, a dyad or any group, solved for the components of its pairs |
+//! | `kinetostatics`, `reactions` | reactions of all pairs and balancing torques of all drivers in a pose |
+//! | `reduced` | moment of inertia and torque reduced to the input; energies |
+//! | `motor` | the torque of a motor by its speed |
+//! | `run` | motion of the input in time |
+//! | `cycle` | the steady cycle: motion that repeats with the linkage |
+//!
+//! A body stands for a link with the links that are fixed to it; its reactions are those of all of them together.
+
+mod applied;
+mod block;
+mod cycle;
+mod defect;
+mod kinetostatics;
+mod law;
+mod loading;
+mod motor;
+mod pair;
+mod reactions;
+mod reduced;
+mod run;
+mod spec;
+
+pub use applied::{Applied, Source};
+pub use cycle::{NoCycle, SteadyCycle};
+pub use defect::{Defect, Part};
+pub use kinetostatics::{Kinetostatics, Unbalanced};
+pub use law::{Harmonic, Law};
+pub use loading::Loading;
+pub use motor::Motor;
+pub use pair::{DriverId, Pair, PairId};
+pub use reactions::{Reaction, Reactions};
+pub use reduced::Reduced;
+pub use run::{Halt, NoRun, Reading, Run};
+pub use spec::{AnchorSpec, DamperSpec, LoadSpec, LoadingSpec, SpringSpec};

@@ -1,0 +1,348 @@
+//! Motion under load: the input over time, with an account of the energy.
+
+use super::applied::relative;
+use super::loading::Spring;
+use super::{Defect, Loading, Motor, Reduced};
+use crate::angle::sum;
+use crate::mechanism::{Pose, Unsolved};
+use crate::motion::{DeadPoint, Motion};
+use crate::numeric::gauss::Adaptive;
+use crate::tolerance;
+
+/// Error of a step before its extrapolation, relative to a radian of the input.
+const ERROR: f64 = 1e-13;
+
+/// Distance from an end of the motion, in radians of the input, at which a run ends. There the reduced inertia, which is
+/// inversely proportional to the distance from a dead point, has half of its digits.
+const AT_END: f64 = tolerance::COINCIDENT;
+
+/// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
+const SHORTEST: f64 = 1e-12;
+
+/// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`Reduced`].
+///
+/// The input is integrated by Gauss collocation with extrapolation. Works are integrated along, so their sum with the
+/// energies shows the error.
+#[derive(Clone, Debug)]
+pub struct Run {
+    pub(super) system: System,
+    state: State,
+    /// Steps of the input, of the work and of the lost energy.
+    steps: Adaptive<3>,
+    /// Kinetic and potential energy at the start.
+    opening: f64,
+}
+
+/// A linkage under load with one freedom.
+#[derive(Clone, Debug)]
+pub(super) struct System {
+    pub(super) motion: Motion,
+    pub(super) loading: Loading,
+    pub(super) motor: Motor,
+    /// Scalar product of gravity with the origin of the coordinates used while solving.
+    height: f64,
+    pose: Pose<3>,
+    /// Unit of the input: a radian, or a part of the range of a slide.
+    pub(super) unit: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct State {
+    time: f64,
+    /// Input, with its rounding error.
+    input: (f64, f64),
+    rate: f64,
+    /// Rounding error of the rate.
+    rest: f64,
+    /// Work of the motor and the given loads, and the energy lost in resistances and dampers.
+    work: f64,
+    lost: f64,
+}
+
+/// State of a run at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// Time since the start.
+    pub time: f64,
+    /// Input; the angle of a crank is not reduced to a turn.
+    pub input: f64,
+    /// Rate of the input.
+    pub rate: f64,
+    /// Acceleration of the input.
+    pub acceleration: f64,
+    /// Kinetic energy.
+    pub kinetic: f64,
+    /// Potential energy of gravity and springs.
+    pub potential: f64,
+    /// Work of the motor and of the given forces and torques since the start.
+    pub work: f64,
+    /// Energy lost in resistances and dampers since the start.
+    pub lost: f64,
+}
+
+/// Reason why there is no run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoRun {
+    /// A defect of the motor.
+    Motor(Defect),
+    /// More than one driver. Only one freedom is integrated.
+    SeveralDrivers,
+    /// The start has no pose.
+    Start(Unsolved),
+    /// The rate at the start is not finite or too large.
+    Rate,
+    /// Nothing that moves has a mass.
+    NoInertia,
+    /// The spring with this index joins two links of which one turns fully relative to the other: it would be wound up.
+    Wound(usize),
+}
+
+/// Reason why a run ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Halt {
+    /// The motion of the input ends: at a dead point, or at the end of the range of a slide.
+    End {
+        /// Time at which the end is reached.
+        time: f64,
+        /// The end; None if the motion has none near, but steps become too short.
+        end: Option<DeadPoint>,
+    },
+}
+
+impl System {
+    pub(super) fn new(motion: &Motion, loading: &Loading, motor: &Motor) -> Result<Self, NoRun> {
+        motor.check().map_err(NoRun::Motor)?;
+        let mechanism = motion.mechanism();
+        if mechanism.spec().drivers.len() != 1 {
+            return Err(NoRun::SeveralDrivers);
+        }
+        if loading.masses.iter().all(|mass| mass.mass == 0.0) {
+            return Err(NoRun::NoInertia);
+        }
+        let mut system = Self {
+            motion: motion.clone(),
+            loading: loading.clone(),
+            motor: motor.clone(),
+            height: mechanism.middle().coords.dot(&loading.gravity),
+            pose: mechanism.blank(),
+            unit: mechanism.span() / std::f64::consts::TAU,
+        };
+        match system.wound() {
+            Some(index) => Err(NoRun::Wound(index)),
+            None => Ok(system),
+        }
+    }
+
+    /// A spring between links of which one turns fully relative to the other over the cycle of the motion.
+    fn wound(&mut self) -> Option<usize> {
+        let cycle = self.motion.cycle();
+        let &[from, to] = cycle.arcs().first().filter(|_| cycle.is_full())?;
+        let ends = [from, to - tolerance::DOUBLE_ROOT * (to - from)];
+        let springs = self.loading.springs.clone();
+        springs.iter().position(|spring| {
+            let Spring::Torsion { bodies, .. } = spring else {
+                return false;
+            };
+            let angles = ends.map(|input| {
+                let placed = self.motion.place(input, &mut self.pose);
+                placed.map(|()| relative(self.pose.state(), *bodies)[0])
+            });
+            matches!(angles, [Ok(first), Ok(last)] if (last - first).abs() > 1.0)
+        })
+    }
+
+    /// Reduced quantities at an input; None where there is no pose.
+    pub(super) fn reduced(&mut self, input: f64) -> Option<Reduced> {
+        self.motion.place(input, &mut self.pose).ok()?;
+        let reduced = self
+            .loading
+            .reduced_in(self.pose.state(), input, self.height);
+        (reduced.inertia > 0.0).then_some(reduced)
+    }
+
+    pub(super) fn acceleration(&self, reduced: &Reduced, rate: f64) -> f64 {
+        let torque = reduced.torque(rate) + self.motor.torque(rate)[0];
+        (torque - 0.5 * reduced.inertia_slope * rate * rate) / reduced.inertia
+    }
+}
+
+impl Run {
+    /// Run of a motion from an input at a rate, at time zero.
+    ///
+    /// # Errors
+    /// The reason why there is none.
+    pub fn new(
+        motion: &Motion,
+        loading: &Loading,
+        motor: &Motor,
+        [input, rate]: [f64; 2],
+    ) -> Result<Self, NoRun> {
+        let mut system = System::new(motion, loading, motor)?;
+        if !(-tolerance::FARTHEST..=tolerance::FARTHEST).contains(&rate) {
+            return Err(NoRun::Rate);
+        }
+        system
+            .motion
+            .place(input, &mut system.pose)
+            .map_err(NoRun::Start)?;
+        let reduced = system.reduced(input).ok_or(NoRun::NoInertia)?;
+        let acceleration = system.acceleration(&reduced, rate);
+        // A first guess: the time in which the input moves by a hundredth of its unit.
+        let speed = rate.abs() / system.unit + (acceleration.abs() / system.unit).sqrt();
+        let length = if speed > 0.0 { 0.01 / speed } else { 0.01 };
+        Ok(Self {
+            opening: reduced.kinetic(rate) + reduced.potential,
+            system,
+            state: State {
+                time: 0.0,
+                input: (input, 0.0),
+                rate,
+                rest: 0.0,
+                work: 0.0,
+                lost: 0.0,
+            },
+            steps: Adaptive::new(length),
+        })
+    }
+
+    /// The state at the current time.
+    pub fn reading(&mut self) -> Reading {
+        let State {
+            time,
+            input: (input, _),
+            rate,
+            work,
+            lost,
+            ..
+        } = self.state;
+        // Steps are taken only between inputs that have a pose.
+        let reduced = self.system.reduced(input).unwrap_or_default();
+        Reading {
+            time,
+            input,
+            rate,
+            acceleration: if reduced.inertia > 0.0 {
+                self.system.acceleration(&reduced, rate)
+            } else {
+                0.0
+            },
+            kinetic: reduced.kinetic(rate),
+            potential: reduced.potential,
+            work,
+            lost,
+        }
+    }
+
+    /// Excess of the energy over what the account says, in units of energy: the error of the integration.
+    pub fn imbalance(&mut self) -> f64 {
+        let now = self.reading();
+        now.kinetic + now.potential - self.opening - now.work + now.lost
+    }
+
+    /// Advances to a time.
+    ///
+    /// # Errors
+    /// The run ends before. It stays at its last moment.
+    pub fn advance(&mut self, time: f64) -> Result<(), Halt> {
+        while self.state.time < time {
+            self.step(time - self.state.time)
+                .ok_or_else(|| self.halt())?;
+            // The last step ends at the time itself, not within rounding of it.
+            if time - self.state.time <= 4.0 * f64::EPSILON * time.abs() {
+                self.state.time = time;
+            }
+            if self
+                .nearest_end()
+                .is_some_and(|(_, ahead)| ahead <= AT_END * self.system.unit)
+            {
+                return Err(self.halt());
+            }
+        }
+        Ok(())
+    }
+
+    /// End of the motion nearest ahead, with its distance.
+    fn nearest_end(&self) -> Option<(DeadPoint, f64)> {
+        let at = self.system.motion.cycle().wrap(self.state.input.0);
+        let sense = self.state.rate.signum();
+        let ends = self.system.motion.dead_points().iter();
+        let ahead = ends.map(|end| (*end, (end.input - at) * sense));
+        ahead
+            .filter(|(_, ahead)| *ahead >= -tolerance::CONVERGED * self.system.unit)
+            .min_by(|(_, a), (_, b)| a.total_cmp(b))
+    }
+
+    /// The end of the run. Near a dead point the square of the rate is proportional to the distance, so the time left is
+    /// twice the distance divided by the rate.
+    fn halt(&self) -> Halt {
+        let State { time, rate, .. } = self.state;
+        let near = self.nearest_end();
+        let near = near.filter(|(_, ahead)| *ahead <= tolerance::NEAR * self.system.unit);
+        let left = near.map_or(0.0, |(end, ahead)| {
+            let times = if end.kind.is_dead_point() { 2.0 } else { 1.0 };
+            times * ahead.max(0.0) / rate.abs().max(f64::MIN_POSITIVE)
+        });
+        Halt::End {
+            time: time + if left.is_finite() { left } else { 0.0 },
+            end: near.map(|(end, _)| end),
+        }
+    }
+
+    fn step(&mut self, most: f64) -> Option<()> {
+        let Self {
+            system,
+            state,
+            steps,
+            ..
+        } = self;
+        let unit = system.unit;
+        let (input, rest) = state.input;
+        let here = system.reduced(input)?;
+        let acceleration = system.acceleration(&here, state.rate).abs();
+        // Rate at which the input moves by its unit, also from rest.
+        let scale = state.rate.abs() + (acceleration * unit).sqrt();
+        let (least, momentum) = if scale > 0.0 {
+            (SHORTEST * unit / scale, here.inertia * scale)
+        } else {
+            (0.0, here.inertia)
+        };
+        // Powers are divided by a momentum, so that they are of the size of the acceleration.
+        let advance = steps.step(
+            [most, least.min(most)],
+            &[state.rate, 0.0, 0.0],
+            |moment| {
+                let rate = moment.rates[0];
+                let reduced = system.reduced(input + (rest + moment.moved[0]));
+                reduced.map_or([f64::NAN; 3], |reduced| {
+                    let motor = system.motor.torque(rate)[0];
+                    let work = (motor + reduced.load) * rate;
+                    let lost = -reduced.resistance(rate) * rate;
+                    let acceleration = system.acceleration(&reduced, rate);
+                    [acceleration, work / momentum, lost / momentum]
+                })
+            },
+            |[moved, gained]| {
+                let rate = if scale > 0.0 {
+                    gained[0].abs() / scale
+                } else {
+                    0.0
+                };
+                (moved[0].abs() / unit).max(rate) / ERROR
+            },
+        )?;
+        let [rate, work, lost] = advance.gained;
+        state.input = sum(input, rest + advance.moved[0]);
+        state.rate = add(&mut state.rest, state.rate, rate);
+        state.work += momentum * work;
+        state.lost += momentum * lost;
+        state.time += advance.length;
+        Some(())
+    }
+}
+
+/// A sum whose rounding error goes into `rest`.
+fn add(rest: &mut f64, to: f64, more: f64) -> f64 {
+    let (total, lost) = sum(to, *rest + more);
+    *rest = lost;
+    total
+}

@@ -1,0 +1,307 @@
+//! Motion under load against tables of others, against its own account of energy, and against its steady cycle.
+//! docs/reference-data.md gives the sources of the tables.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use assur::Vector;
+use assur::forces::{
+    AnchorSpec, DamperSpec, Defect, Halt, LoadSpec, Loading, LoadingSpec, Motor, NoCycle, NoRun,
+    Part, Run, SpringSpec, SteadyCycle,
+};
+use assur::linkage::LinkageSpec;
+use assur::mechanism::Mechanism;
+use assur::motion::{DeadPointKind, Motion};
+use assur_tests::Table;
+
+fn motion(spec: &LinkageSpec) -> Motion {
+    Motion::new(Mechanism::new(spec).unwrap())
+}
+
+fn bars(mut spec: LinkageSpec, masses: &[(&str, f64)]) -> LinkageSpec {
+    for link in &mut spec.links {
+        let mass = masses.iter().find(|(name, _)| *name == link.name);
+        link.mass = mass.map(|(_, mass)| *mass);
+    }
+    spec
+}
+
+/// A slider-crank from rest, in line, under a constant torque of 0.1 N·m: slender rods of 0.1 m and 0.3 m, 0.2 kg each,
+/// and a slider of 0.4 kg.
+#[test]
+fn free_motion_of_a_slider_crank() {
+    let spec = LinkageSpec::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.1, 0.0)
+        .point("C", 0.4, 0.0)
+        .point("E", 1.0, 0.0)
+        .fixed(&["A", "E"])
+        .bar("crank", &["A", "B"])
+        .bar("rod", &["B", "C"])
+        .bar("slider", &["C"])
+        .slide("slider", "C", "frame", ["A", "E"])
+        .crank("crank");
+    let motion = motion(&bars(
+        spec,
+        &[("crank", 0.2), ("rod", 0.2), ("slider", 0.4)],
+    ));
+    let loading = Loading::new(motion.mechanism(), &LoadingSpec::default()).unwrap();
+    let mut run = Run::new(&motion, &loading, &Motor::Constant(0.1), [0.0, 0.0]).unwrap();
+    let table = Table::parse(include_str!("data/benchmarks/slider_crank.csv"));
+    let mut worst = [0.0_f64; 2];
+    for row in table.rows() {
+        run.advance(row.get("t")).unwrap();
+        let reading = run.reading();
+        let off = [
+            reading.input - row.get("theta"),
+            reading.rate - row.get("omega"),
+        ];
+        let rate = row.get("omega").abs().max(1.0);
+        worst = [
+            worst[0].max(off[0].abs()),
+            worst[1].max(off[1].abs() / rate),
+        ];
+        assert!(
+            off[0].abs() < 1e-9 && off[1].abs() < 1e-9 * rate,
+            "{}: {off:?}",
+            row.get("t")
+        );
+    }
+    println!("slider-crank: {worst:?}");
+    assert!((run.reading().time - 3.0).abs() < 1e-12);
+    // The work of the torque is its product with the angle.
+    let reading = run.reading();
+    assert!((reading.work - 0.1 * reading.input).abs() < 1e-9 * reading.work);
+    assert!(run.imbalance().abs() < 1e-10 * reading.kinetic);
+}
+
+/// IFToMM's A02 with two bays: equal rockers and rods of 1 m and 1 kg, upright, with 1 m/s. It follows the table to the
+/// singular pose in which the first rocker points at the pivot of the second. There the outer hinges of the rod and
+/// the second rocker coincide, so that these may have any angle: the motion of the linkage ends, and so does the run.
+#[test]
+fn a02_up_to_its_singular_pose() {
+    let spec = LinkageSpec::default()
+        .point("A0", 0.0, 0.0)
+        .point("A1", 1.0, 0.0)
+        .point("A2", 2.0, 0.0)
+        .point("B0", 0.0, 1.0)
+        .point("B1", 1.0, 1.0)
+        .point("B2", 2.0, 1.0)
+        .fixed(&["A0", "A1", "A2"])
+        .bar("first", &["A0", "B0"])
+        .bar("second", &["A1", "B1"])
+        .bar("third", &["A2", "B2"])
+        .bar("left", &["B0", "B1"])
+        .bar("right", &["B1", "B2"])
+        .crank("first");
+    let names = ["first", "second", "third", "left", "right"];
+    let motion = motion(&bars(spec, &names.map(|name| (name, 1.0))));
+    let gravity = Vector::new(0.0, -9.81);
+    let loading = LoadingSpec {
+        gravity,
+        ..LoadingSpec::default()
+    };
+    let loading = Loading::new(motion.mechanism(), &loading).unwrap();
+    let mut run = Run::new(&motion, &loading, &Motor::NONE, [FRAC_PI_2, -1.0]).unwrap();
+    let table = Table::parse(include_str!("data/benchmarks/a02.csv"));
+    let mut worst = 0.0_f64;
+    let mut rows = 0;
+    for row in table.rows() {
+        if row.get("theta") > FRAC_PI_2 {
+            break;
+        }
+        run.advance(row.get("t")).unwrap();
+        let reading = run.reading();
+        let off = reading.input - (FRAC_PI_2 - row.get("theta"));
+        let rate = reading.rate + row.get("omega");
+        worst = worst.max(off.abs()).max(rate.abs());
+        assert!(
+            off.abs() < 1e-8 && rate.abs() < 1e-8,
+            "{}: {off:e}, {rate:e}",
+            row.get("t")
+        );
+        rows += 1;
+    }
+    println!("A02: {worst:e} in {rows} rows");
+    assert_eq!(rows, 8);
+    let Err(Halt::End { time, end }) = run.advance(10.0) else {
+        panic!("the singular pose was passed");
+    };
+    assert!((0.714..0.715).contains(&time), "{time}");
+    assert_eq!(end.map(|end| end.kind), Some(DeadPointKind::NearSingular));
+}
+
+/// A crank-rocker with heavy links.
+fn crank_rocker() -> LinkageSpec {
+    let spec = LinkageSpec::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.1, 0.02)
+        .point("C", 0.34, 0.22)
+        .point("D", 0.3, 0.0)
+        .point("E", 0.5, 0.3)
+        .fixed(&["A", "D", "E"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .crank("crank");
+    bars(spec, &[("crank", 2.0), ("coupler", 1.0), ("rocker", 1.5)])
+}
+
+fn spring() -> SpringSpec {
+    SpringSpec::Straight {
+        ends: [
+            AnchorSpec::new("rocker", "C"),
+            AnchorSpec::new("frame", "E"),
+        ],
+        stiffness: 40.0,
+        free_length: 0.1,
+    }
+}
+
+#[test]
+fn energy_is_kept_over_a_hundred_turns() {
+    let motion = motion(&crank_rocker());
+    assert!(motion.cycle().is_full());
+    let loading = LoadingSpec {
+        gravity: Vector::new(0.0, -9.81),
+        springs: vec![spring()],
+        ..LoadingSpec::default()
+    };
+    let loading = Loading::new(motion.mechanism(), &loading).unwrap();
+    let start = motion.drawn_input();
+    let mut run = Run::new(&motion, &loading, &Motor::NONE, [start, 30.0]).unwrap();
+    let opening = run.reading();
+    let mut time = 0.0;
+    let mut worst = 0.0_f64;
+    while run.reading().input < start + 100.0 * TAU {
+        time += 0.5;
+        run.advance(time).unwrap();
+        worst = worst.max(run.imbalance().abs() / opening.kinetic);
+    }
+    println!("energy over 100 turns: {worst:e}, {time} s");
+    assert!(worst < 1e-10, "{worst:e}");
+    assert_eq!([run.reading().work, run.reading().lost], [0.0; 2]);
+}
+
+/// A motor drives against the resistance of the rocker; what it does is what is lost and stored.
+#[test]
+fn a_steady_cycle_is_the_end_of_a_long_run() {
+    let motion = motion(&crank_rocker());
+    let loading = LoadingSpec {
+        gravity: Vector::new(0.0, -9.81),
+        loads: vec![LoadSpec::AngularDrag {
+            link: "rocker".to_owned(),
+            coefficients: [0.02, 0.05],
+        }],
+        springs: vec![spring()],
+        dampers: vec![DamperSpec::Torsion {
+            links: ["crank".to_owned(), "frame".to_owned()],
+            damping: 0.05,
+        }],
+    };
+    let loading = Loading::new(motion.mechanism(), &loading).unwrap();
+    let motor = Motor::Linear {
+        stall: 5.0,
+        no_load: 40.0,
+    };
+    let mut run = Run::new(&motion, &loading, &motor, [motion.drawn_input(), 0.0]).unwrap();
+    run.advance(12.0).unwrap();
+    let reading = run.reading();
+    assert!(run.imbalance().abs() < 1e-10 * reading.work);
+    for guess in [10.0, 33.0] {
+        let mut cycle = SteadyCycle::new(&motion, &loading, &motor, guess).unwrap();
+        let expected = cycle.rate(reading.input).unwrap();
+        let off = (reading.rate - expected).abs() / expected;
+        println!(
+            "steady: {off:e}, multiplier {}, δ {}",
+            cycle.multiplier,
+            cycle.non_uniformity()
+        );
+        assert!(off < 1e-9, "{off:e}");
+        assert!((0.0..1.0).contains(&cycle.multiplier));
+        assert!((cycle.rate(reading.input + TAU).unwrap() - expected).abs() < 1e-9);
+        // The time of a cycle is that of the run.
+        let before = run.clone().reading();
+        let mut next = run.clone();
+        next.advance(before.time + cycle.time).unwrap();
+        assert!((next.reading().input - before.input - TAU).abs() < 1e-8);
+        assert!(cycle.non_uniformity() > 0.0);
+    }
+    // Backwards the motor brakes: nothing drives the cycle.
+    let back = SteadyCycle::new(&motion, &loading, &Motor::NONE, 5.0);
+    assert_eq!(back.map(drop), Err(NoCycle::NotFound));
+}
+
+/// A double rocker stops at its dead point, and the run says where.
+#[test]
+fn a_run_ends_at_a_dead_point() {
+    let spec = LinkageSpec::default()
+        .point("A", 0.0, 0.0)
+        .point("B", 0.2, 0.9)
+        .point("C", 0.9, 0.8)
+        .point("D", 1.0, 0.0)
+        .fixed(&["A", "D"])
+        .bar("crank", &["A", "B"])
+        .bar("coupler", &["B", "C"])
+        .bar("rocker", &["D", "C"])
+        .crank("crank");
+    let motion = motion(&bars(
+        spec,
+        &[("crank", 1.0), ("coupler", 1.0), ("rocker", 1.0)],
+    ));
+    assert!(!motion.cycle().is_full());
+    let loading = Loading::new(motion.mechanism(), &LoadingSpec::default()).unwrap();
+    let start = motion.drawn_input();
+    let mut run = Run::new(&motion, &loading, &Motor::NONE, [start, 1.0]).unwrap();
+    let Err(Halt::End { time, end }) = run.advance(100.0) else {
+        panic!("the run did not end");
+    };
+    let end = end.unwrap();
+    assert!(end.kind.is_dead_point(), "{end:?}");
+    let reading = run.reading();
+    assert!(time >= reading.time && time - reading.time < 1e-3);
+    let off = motion.cycle().wrap(reading.input) - end.input;
+    assert!(off.abs() <= 1e-9, "{off:e}");
+    // At this distance from the dead point the inertia has lost as many digits as the distance has.
+    assert!(
+        run.imbalance().abs() < 1e-6 * reading.kinetic,
+        "{:e}",
+        run.imbalance()
+    );
+    assert_eq!(
+        SteadyCycle::new(&motion, &loading, &Motor::NONE, 1.0).map(drop),
+        Err(NoCycle::NotFull)
+    );
+}
+
+#[test]
+fn what_cannot_run_is_said() {
+    let motion = motion(&crank_rocker());
+    let loading = |spec: LoadingSpec| Loading::new(motion.mechanism(), &spec).unwrap();
+    let plain = loading(LoadingSpec::default());
+    let start = [motion.drawn_input(), 0.0];
+    let run = |loading: &Loading, motor: &Motor| Run::new(&motion, loading, motor, start).map(drop);
+    let (part, index) = (Part::Motor, 0);
+    assert_eq!(
+        run(&plain, &Motor::Constant(f64::NAN)),
+        Err(NoRun::Motor(Defect::NoNumber { part, index }))
+    );
+    let wound = |links: [&str; 2]| {
+        loading(LoadingSpec {
+            springs: vec![SpringSpec::Torsion {
+                links: links.map(str::to_owned),
+                stiffness: 1.0,
+                free_angle: 0.0,
+            }],
+            ..LoadingSpec::default()
+        })
+    };
+    assert_eq!(
+        run(&wound(["crank", "frame"]), &Motor::NONE),
+        Err(NoRun::Wound(0))
+    );
+    assert_eq!(run(&wound(["rocker", "frame"]), &Motor::NONE), Ok(()));
+    let still = self::motion(&bars(crank_rocker(), &[]));
+    let none = Loading::new(still.mechanism(), &LoadingSpec::default()).unwrap();
+    let refused = Run::new(&still, &none, &Motor::NONE, start).map(drop);
+    assert_eq!(refused, Err(NoRun::NoInertia));
+}
