@@ -6,8 +6,7 @@ mod turns;
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
-use assur::gears::Mesh;
-use assur::mechanism::{Defect, Dimension, DriverSpec, GearSpec, LinkageSpec, Mechanism, Quantity};
+use assur::mechanism::{Defect, Dimension, DriverSpec, LinkageSpec, Mechanism, Quantity};
 use assur::motion::{Column, InputRate, Motion, OutputProfile, Refusal};
 use assur::{Swing, Vector};
 use assur_draw::chart::Settings;

@@ -1,6 +1,6 @@
 //! Range of a motion that turns back or could not be followed further, and the whole turns of its inputs.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use super::DeadPoint;
 use crate::Cycle;
@@ -8,27 +8,17 @@ use crate::mechanism::Mechanism;
 
 /// Range of the input between two ends, and the angle of whole turns that was subtracted from the inputs.
 ///
-/// Usually inputs are shifted and wrapped by whole periods, so that the range begins within half a period of 0. If this
-/// would move the drawn input out of [−π, 2π], the drawn input is shifted to within half a period of 0 instead. If the
-/// motion could not be followed beyond an end, inputs are shifted only if the period is one turn and the range is at most
-/// a turn: then the crank angle alone determines the pose. Otherwise inputs keep the turns of the drawn input.
+/// Usually inputs are shifted and wrapped by whole periods, so that the range begins within half a period of 0. If the
+/// motion could not be followed beyond an end, this is done only if the period is one turn and the range is at most a
+/// turn: then the crank angle alone determines the pose. Otherwise inputs keep the turns of the drawn input.
 pub(super) fn range_between(mechanism: &mut Mechanism, ends: [DeadPoint; 2]) -> (Cycle, f64) {
     let [first, last] = ends.map(|end| end.input);
     let given_up = ends.iter().any(|end| end.kind.is_given_up());
     let period = mechanism
         .period_of_arcs()
         .filter(|period| !given_up || *period == TAU && last - first <= TAU);
-    let drawn = mechanism.drawn_input();
-    let turned = period.map_or(0.0, |period| {
-        let [of_first, of_drawn] =
-            [first, drawn].map(|input| period * (input / period + 0.5).floor());
-        if (-PI..=TAU).contains(&(drawn - of_first)) {
-            of_first
-        } else {
-            of_drawn
-        }
-    });
-    let drawn_input = drawn - turned;
+    let turned = period.map_or(0.0, |period| period * (first / period + 0.5).floor());
+    let drawn_input = mechanism.drawn_input() - turned;
     let turned = if turned == 0.0 || mechanism.rebase_turns(drawn_input) {
         turned
     } else {
