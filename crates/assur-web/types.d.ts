@@ -64,7 +64,7 @@ export type ConditionSummary = {
 /** The length that the condition concerns; null for condition (13). */ about: string | null, 
 /** The two numbers whose signs are compared; null if a denominator is zero. */ values: [number | null, number | null], 
 /** Whether the condition holds as printed. */ holds: boolean, 
-/** Whether the conclusion of the condition is true. */ truth: boolean, };
+/** Whether the statement that the condition is to ensure is true, be the condition met or not. */ truth: boolean, };
 export type CountSummary = { 
 /** Number of moving links, n. */ links: number, 
 /** Numbers Pᵢ of pairs with i freedoms, in the scheme's own space. */ pairs: Array<ClassSummary>, 
