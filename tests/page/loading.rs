@@ -125,6 +125,8 @@ async fn the_second_part_may_come_late_or_never() {
     .await;
 
     let kept = page.ask(KEPT).await;
+    // The browser names the files that it did not get, and the engine the calls that failed.
+    page.said().await;
     page.driver.refresh().await.unwrap();
     page.until("the page to say that it cannot start", async || {
         page.ask("return document.getElementById('failed').checkVisibility()")
@@ -133,7 +135,12 @@ async fn the_second_part_may_come_late_or_never() {
     })
     .await;
     assert_eq!(page.ask(KEPT).await, kept);
-    // The browser names the files that it did not get, and the engine the calls that failed.
-    page.said().await;
+    // What the page says reaches the test by a channel of its own, perhaps later than the page is seen.
+    page.until("the reason on the console", async || {
+        let said = page.said().await;
+        said.iter()
+            .any(|one| one.contains("second part of the engine did not load"))
+    })
+    .await;
     page.close().await;
 }
