@@ -1,7 +1,7 @@
 //! Forces and couples in a pose that are not reactions: weights, inertia, loads, springs and dampers.
 
 use super::Loading;
-use super::loading::{Damper, Load, Spring};
+use super::loading::{BodyMass, Damper, Load, Spring};
 use crate::Vector;
 use crate::index::BodyId;
 use crate::position::{BodyPoint, Complex, State, product};
@@ -62,6 +62,21 @@ pub(super) fn relative(state: &State<3>, [one, other]: [BodyId; 2]) -> [f64; 2] 
 }
 
 impl Loading {
+    /// Moving bodies with a mass, each with its centre of mass and its turn rates of [`turning`].
+    pub(super) fn moving_masses(
+        &self,
+        state: &State<3>,
+    ) -> impl Iterator<Item = (BodyId, &BodyMass, Complex<3>, [f64; 2])> {
+        let moving = self.masses.enumerate().skip(1);
+        moving
+            .filter(|(_, mass)| mass.mass != 0.0)
+            .map(|(body, mass)| {
+                let local = mass.centre;
+                let centre = state.place(BodyPoint { body, local });
+                (body, mass, centre, turning(state, body))
+            })
+    }
+
     /// Adds the forces in a pose to a list. The input has a rate and an acceleration with respect to time.
     pub(super) fn apply(
         &self,
@@ -70,13 +85,7 @@ impl Loading {
         [rate, acceleration]: [f64; 2],
         list: &mut Vec<Applied>,
     ) {
-        for (body, mass) in self.masses.enumerate().skip(1) {
-            if mass.mass == 0.0 {
-                continue;
-            }
-            let local = mass.centre;
-            let centre = state.place(BodyPoint { body, local });
-            let [turn, twice] = turning(state, body);
+        for (body, mass, centre, [turn, twice]) in self.moving_masses(state) {
             let (at, square) = (centre[0], rate * rate);
             if self.gravity != Vector::zeros() {
                 list.push(Applied {

@@ -5,7 +5,7 @@ use super::applied::{directed, relative, stretched, turning};
 use super::loading::{Damper, Load, Spring};
 use crate::Vector;
 use crate::mechanism::{Mechanism, Pose};
-use crate::position::{BodyPoint, State};
+use crate::position::State;
 
 /// Reduced moment of inertia, reduced torque and potential energy at an input φ. If the input is a length, they are a
 /// reduced mass and a reduced force.
@@ -63,13 +63,7 @@ impl Loading {
     /// solving.
     pub(super) fn reduced_in(&self, state: &State<3>, input: f64, height: f64) -> Reduced {
         let mut sum = Reduced::default();
-        for (body, mass) in self.masses.enumerate().skip(1) {
-            if mass.mass == 0.0 {
-                continue;
-            }
-            let local = mass.centre;
-            let centre = state.place(BodyPoint { body, local });
-            let [turn, twice] = turning(state, body);
+        for (_, mass, centre, [turn, twice]) in self.moving_masses(state) {
             sum.inertia += mass.mass * centre[1].norm_squared() + mass.inertia * turn * turn;
             sum.inertia_slope +=
                 4.0 * mass.mass * centre[1].dot(&centre[2]) + 2.0 * mass.inertia * turn * twice;
