@@ -27,6 +27,9 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 /// The tables of all that the page says.
 const PAGE: &str = "lang/*.json";
 
+/// The tables of parts that are loaded on demand.
+const LATER: &str = "www/forces/words.*.json";
+
 /// The folders of the lessons.
 fn lessons() -> Vec<String> {
     let entries = fs::read_dir(root().join("www/lessons")).unwrap();
@@ -59,9 +62,10 @@ fn tables(place: &str) -> Vec<(&'static str, &'static [&'static str], Words)> {
 }
 
 /// Every word the page ever says outside its lessons, in the first language: with those of the
-/// kinds, which the build puts there.
+/// kinds, which the build puts there, and of the parts loaded on demand.
 fn page_words() -> Words {
     let mut words = tables(PAGE).swap_remove(0).2;
+    words.extend(tables(LATER).swap_remove(0).2);
     words.extend(kinds::kinds().iter().flat_map(kinds::Kind::words));
     words
 }
@@ -148,7 +152,7 @@ fn every_language_says_everything() {
     let all = steps
         .chain(of_lessons)
         .chain(kinds)
-        .chain([PAGE.to_owned()]);
+        .chain([PAGE, LATER].map(str::to_owned));
     for place in all {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];

@@ -327,6 +327,9 @@ vectors: boolean,
 /** Whether all assemblies are shown: a picture of each, and a map of them. */ all_assemblies: boolean, 
 /** Whether the other assemblies are shown, dashed, beside the one that moves. */ others: boolean, 
 /** Whether the polygons of velocities and accelerations are shown. */ polygons: boolean, 
+/** Whether reactions and applied forces are shown: arrows in the drawing, and a table of all reactions. */ forces: boolean, 
+/** Whether force plans, Zhukovsky's lever and free bodies are shown. */ force_plan: boolean, 
+/** Whether the motion under load is shown: motor, run in time, steady cycle, flywheel. */ under_load: boolean, 
 /**
  * Whether the instant centres of all links are shown, with the lines that locate the instant centre of `about`
  * relative to `relative_to`.

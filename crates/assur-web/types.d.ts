@@ -99,6 +99,7 @@ export type FamilySummary = {
 /** Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); a null maximum means no limit. */ lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
 /** Range of the coupler's angle in each position, radians. */ couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /** l₁, l₂, l₃ at each change of the Grashof type. */ changes: Array<[number, number, number]>, };
+export type ForcesHere = { reactions: Array<ReactionHere>, };
 export type FoundHere = { name: string, rates: [number, number], };
 export type FoundSummary = { 
 /** Number of starting points. */ starts: number, 
@@ -257,6 +258,10 @@ export type RateSummary = { field: string, link: string, rate: number, role: str
 export type RatioSummary = { name: string, of: number, to: number, held: number, numerator: number, denominator: number, value: number, 
 /** Whether this is the largest positive ratio. */ largest: boolean, };
 export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };
+export type ReactionHere = { pair: string, 
+/** Link on which it acts. */ on: string, 
+/** Link that exerts it. */ from: string, 
+/** Components of the force and moment; null if statically indeterminate. */ x: number | null, y: number | null, moment: number | null, };
 export type ReadoutId = { quantity: string, 
 /** Order of the derivative: 0, 1 or 2. */ order: number, };
 export type RedundancySummary = { count: number, pairs: Array<string>, };

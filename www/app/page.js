@@ -232,6 +232,19 @@ export class Page {
     this.redraw();
   }
 
+  /**
+   * Adds a table of words to those of the page, in any language.
+   * @template T
+   * @param {string} path of the table, with * for the language
+   * @param {Promise<T>} part that needs the words
+   * @returns {Promise<T>} the part, once the words are there
+   */
+  async withWords(path, part) {
+    const [words, loaded] = await Promise.all([Words.extended(path, this.words.lang), part]);
+    if (words.lang === this.words.lang) this.#applyWords(words);
+    return loaded;
+  }
+
   /** @param {Words} words words of the page; their unit of length is replaced by the document's */
   #applyWords(words) {
     const measured = words.measured(this.engine.lengths);

@@ -33,10 +33,16 @@ import { moves } from "assur/state/model.js";
  * @typedef {(page: Page) => readonly View[]} Make makes the views of a kind; they get snapshots of this kind only
  */
 
-/** @type {Readonly<Record<"all_assemblies" | "polygons" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */
+/** Words of forces and of motion under load. */
+const FORCES = "forces/words.*";
+
+/** @type {Readonly<Record<"all_assemblies" | "polygons" | "forces" | "force_plan" | "under_load" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */
 const PANELS = Object.freeze({
   all_assemblies: async (page) => new (await import("assur/assemblies/panel.js")).Assemblies(page),
   polygons: async (page) => new (await import("assur/polygons/panel.js")).Polygons(page),
+  forces: async (page) => new (await page.withWords(FORCES, import("assur/forces/panel.js"))).Forces(page),
+  force_plan: async (page) => new (await page.withWords(FORCES, import("assur/force-plan/panel.js"))).ForcePlan(page),
+  under_load: async (page) => new (await page.withWords(FORCES, import("assur/under-load/panel.js"))).UnderLoad(page),
   curvature: async (page) => new (await import("assur/plots/curvature.js")).Curvature(page),
 });
 const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));

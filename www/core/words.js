@@ -32,6 +32,9 @@ const UNIT = /,?[ \u00a0](\{unit\}|\(\{unit\}\))/g;
 /** @type {Map<string, Promise<ReadonlyMap<string, string>>>} */
 const tables = new Map();
 
+/** Tables of the page, with * for the language. Parts that are loaded on demand add theirs. */
+const OF_PAGE = ["lang/*"];
+
 /** Words and numbers of one language, and the unit of lengths. */
 export class Words {
   /** @type {ReadonlyMap<string, string>} */
@@ -72,10 +75,23 @@ export class Words {
    * @param {readonly string[]} [paths] of tables in the page, with * for the language; later ones override earlier ones
    * @returns {Promise<Words>}
    */
-  static async load(lang, paths = ["lang/*"]) {
+  static async load(lang, paths = OF_PAGE) {
     const names = paths.map((path) => path.replace("*", lang));
     const entries = (await Promise.all(names.map(table))).flatMap((one) => [...one]);
-    return new Words(lang, new Map(entries));
+    // A part may have added its table in the meantime.
+    return paths.length > names.length ? Words.load(lang, paths) : new Words(lang, new Map(entries));
+  }
+
+  /**
+   * Adds a table to those of the page.
+   * @param {string} path with * for the language
+   * @param {string} lang language in which it is loaded now
+   * @returns {Promise<Words>} the words of the page with it
+   */
+  static async extended(path, lang) {
+    await table(path.replace("*", lang));
+    if (!OF_PAGE.includes(path)) OF_PAGE.push(path);
+    return Words.load(lang);
   }
 
   /**

@@ -32,7 +32,7 @@
 export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others", "instant_centres", "centrodes", "curvature"]));
 
 /** Fields of the view that show or hide something in the drawing, in the plots or beside them. */
-export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "differenced"]));
+export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "forces", "force_plan", "under_load", "differenced"]));
 
 /** Fields of the view that affect the engine's drawing or that the engine may refuse. */
 export const DRAWN = Object.freeze(
@@ -73,6 +73,9 @@ export function usualView(view) {
     all_assemblies: false,
     others: false,
     polygons: false,
+    forces: false,
+    force_plan: false,
+    under_load: false,
     instant_centres: false,
     centrodes: false,
     curvature: false,

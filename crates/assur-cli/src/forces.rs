@@ -145,14 +145,8 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
             Err(unsolved) => Some(LinkageProblem::unsolved(&unsolved, mechanism)),
             Ok(pose) => {
                 let balanced = forces.balance(&loading, &pose, at.input, rates, &mut found);
-                balanced
-                    .err()
-                    .map(|unbalanced| LinkageProblem::ReactionsUnbounded {
-                        links: mechanism
-                            .links_of(unbalanced.step)
-                            .map(str::to_owned)
-                            .collect(),
-                    })
+                let unbalanced = balanced.err();
+                unbalanced.map(|why| LinkageProblem::unbalanced(why, mechanism))
             }
         };
         let is_found = reason.is_none();

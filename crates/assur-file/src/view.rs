@@ -70,6 +70,15 @@ pub struct View {
     /// Whether the polygons of velocities and accelerations are shown.
     #[serde(default)]
     pub polygons: bool,
+    /// Whether reactions and applied forces are shown: arrows in the drawing, and a table of all reactions.
+    #[serde(default)]
+    pub forces: bool,
+    /// Whether force plans, Zhukovsky's lever and free bodies are shown.
+    #[serde(default)]
+    pub force_plan: bool,
+    /// Whether the motion under load is shown: motor, run in time, steady cycle, flywheel.
+    #[serde(default)]
+    pub under_load: bool,
     /// Whether the instant centres of all links are shown, with the lines that locate the instant centre of `about`
     /// relative to `relative_to`.
     #[serde(default)]
@@ -235,6 +244,9 @@ impl Default for View {
             all_assemblies: false,
             others: false,
             polygons: false,
+            forces: false,
+            force_plan: false,
+            under_load: false,
             instant_centres: false,
             centrodes: false,
             curvature: false,

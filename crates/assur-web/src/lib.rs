@@ -23,6 +23,7 @@ mod design;
 mod dimensions;
 mod driven;
 mod equations;
+mod forces;
 mod handle;
 mod here;
 mod imported;
@@ -50,7 +51,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const TYPES: &str = r#"
 import type { Edit } from "assur/types/edit.js";
 import type { DocumentOf, LengthUnit, LessonDocument, LinkageDocument, NumberField, PositionDocument, Preset, Problem, Shelf, View } from "assur/types/file.js";
-import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, Drawn, EquationSummary, Here, Imported, Kind, LinkHere, MotionsMap, OutputSummary, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, State, StepSummary, Summaries, SweepTable, Traced, TransmissionSummary, Wishes } from "assur/types/web.js";
+import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, Drawn, EquationSummary, ForcesHere, Here, Imported, Kind, LinkHere, MotionsMap, OutputSummary, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, State, StepSummary, Summaries, SweepTable, Traced, TransmissionSummary, Wishes } from "assur/types/web.js";
 export interface Simulator {
     set<K extends Kind>(state: State<K>): Summaries[K];
     asKind<K extends Kind>(kind: K, input: number): DocumentOf<K>;

@@ -8,10 +8,11 @@ use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Un
 use assur::motion::{Column, InputRate, Motion};
 use assur_draw::chart::{Against, Chart, Settings};
 use assur_draw::{Annotations, Figure, Lines, Overlays, PolygonSheet, Role, View as Drawing};
-use assur_file::{Axes, LinkDocument, LinkageDocument, Moved, Problem, View};
+use assur_file::{Axes, LinkDocument, LinkageDocument, LinkageProblem, Moved, Problem, View};
 
 use crate::driven::Driven;
 use crate::equations::sides;
+use crate::forces::Forces;
 use crate::handle::{Handle, HandlePlace};
 use crate::measures::measures;
 use crate::pair::Pair;
@@ -57,6 +58,10 @@ pub(crate) struct Moving {
     against: OnceCell<Against>,
     /// Sheets of the velocity and acceleration polygons, computed when first drawn.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
+    /// Loading and order of equilibrium, made when forces are first asked for.
+    forces: OnceCell<Result<Forces, Vec<LinkageProblem>>>,
+    /// Speed and acceleration of the input for forces: ω₁ and ε₁ of the view, whatever the axes.
+    rates: [f64; 2],
     explain: Explain,
 }
 
@@ -128,6 +133,8 @@ impl Moving {
             chart: OnceCell::new(),
             against: OnceCell::new(),
             polygon_sheets: OnceCell::new(),
+            forces: OnceCell::new(),
+            rates: [view.omega, view.epsilon],
             plotted_roles: figure.plotted_roles(&plotted),
             pair,
             plotted,
@@ -180,6 +187,21 @@ impl Moving {
 
     pub(crate) fn polygon_sheets(&self) -> &OnceCell<[PolygonSheet; 2]> {
         &self.polygon_sheets
+    }
+
+    /// Loading and order of equilibrium.
+    ///
+    /// # Errors
+    /// Every defect of the document's loads.
+    pub(crate) fn forces(&self) -> Result<&Forces, &[LinkageProblem]> {
+        let made = || Forces::new(&self.document, self.mechanism());
+        let forces = self.forces.get_or_init(made);
+        forces.as_ref().map_err(Vec::as_slice)
+    }
+
+    /// Speed and acceleration of the input for forces: ω₁ and ε₁ of the view, whatever the axes.
+    pub(crate) fn force_rates(&self) -> [f64; 2] {
+        self.rates
     }
 
     /// Speed and acceleration of the input for plots, polygons and read-outs: those of the view if its axes are

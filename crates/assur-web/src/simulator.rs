@@ -1,5 +1,6 @@
 //! The interface of the page to the engine.
 
+mod forces;
 mod refusal;
 
 use std::cell::Cell;

@@ -9,6 +9,7 @@ use crate::chart::{ChartLayout, ChartRequest};
 use crate::curvature::CurvatureHere;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::equations::EquationSummary;
+use crate::forces::ForcesHere;
 use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
@@ -71,6 +72,7 @@ fn the_scripts_know_what_crosses_the_border() {
     type Here = (
         AssembliesHere,
         PolygonsHere,
+        ForcesHere,
         CurvatureHere<'static>,
         LinkHere,
         RelationHere,

@@ -1,6 +1,7 @@
 //! Problems of a linkage, as codes with parameters: paths of fields, names of links and points. Their
 //! texts are in `lang/`.
 
+use assur::forces::Unbalanced;
 use assur::mechanism::{Cause, Defect, Dimension, Mechanism, Singularity, Unsolved};
 use assur::motion::{Refusal, TooManyTurns};
 use assur::synthesis::dwell::{DesignVariable, SearchError};
@@ -139,6 +140,14 @@ pub enum LinkageProblem {
 }
 
 impl LinkageProblem {
+    /// The reason why a pose has no reactions, with the names of the links concerned.
+    pub fn unbalanced(unbalanced: Unbalanced, mechanism: &Mechanism) -> Self {
+        let links = mechanism.links_of(unbalanced.step);
+        Self::ReactionsUnbounded {
+            links: links.map(str::to_owned).collect(),
+        }
+    }
+
     /// The reason why a mechanism has no pose, with the names of the links concerned.
     pub fn unsolved(unsolved: &Unsolved, mechanism: &Mechanism) -> Self {
         let links: Vec<String> = mechanism
