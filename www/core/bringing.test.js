@@ -1,4 +1,4 @@
-// Parts that are loaded later, where the network is down for a while.
+// Tests of parts that are loaded on demand while the network fails.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { happen } from "assur/tests/window.js";
@@ -37,7 +37,7 @@ test("as soon as there is a network again it is asked for", async () => {
   assert.equal(seen.changed, 1);
   await bring();
   assert.deepEqual([seen.asked, seen.changed], [2, 2]);
-  // A part that is there is not loaded twice.
+  // A part that has loaded is not loaded again.
   happen("online");
   await bring();
   assert.equal(seen.asked, 2);

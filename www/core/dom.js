@@ -1,6 +1,7 @@
 // Finding and making elements. A text is inserted as text, never as markup.
 
 /**
+ * Finds an element of the page. Throws if the page lacks it or if it is of another class.
  * @template {HTMLElement} T
  * @param {string} id
  * @param {new () => T} kind

@@ -1,9 +1,9 @@
-// Guarding of an object's functions: one function makes all calls, and handles their failures.
+// Proxy of an object: one function makes all calls of the object's functions, so that it can handle their failures.
 
 /**
- * Guards the functions of an object.
+ * Makes a proxy of an object. The functions of the proxy are called by `ask`; everything else is undefined, and nothing can be set.
  * @template {object} T
- * @param {() => T} owner of the functions
+ * @param {() => T} owner returns the object, at each call anew
  * @param {(call: () => unknown) => unknown} ask makes a call
  * @returns {T} an object with the same functions, each called by `ask`
  */

@@ -1,4 +1,4 @@
-// Functions of an object, each called by one function.
+// Tests of the proxy by which one function makes all calls of an object's functions.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { guarded } from "assur/core/guarded.js";

@@ -1,6 +1,6 @@
-// Templates: parts of the page that are written again whenever their data change. `render` changes only what differs, so the focus, what is
-// typed, selected or unfolded, and the place of a scrolled area stay as they are. An element that is rendered into is written by nothing
-// else. Styles are given as the property `.style`, because the security policy of a hosted page forbids the attribute.
+// Templates: parts of the page that are rendered again whenever their data change. `render` changes only what differs, so the focus, the
+// selection, typed text, unfolded parts and the scroll position stay. Only `render` may change the content of an element that it has filled.
+// Styles are given as the property `.style`, because the security policy of a hosted page forbids the attribute.
 /*! The script contains lit-html, https://lit.dev
 Copyright (c) 2017 Google LLC. All rights reserved.
 

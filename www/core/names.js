@@ -1,8 +1,8 @@
 // Names of links in the reader's language, and numbers of list entries and assemblies.
 
 /**
- * Name of a link in the reader's language. The link's number replaces {n} in the word, or else follows the word.
- * Without a number, the hyphen or space that would join word and number is omitted.
+ * Name of a link in the reader's language, or the link's own name if the words lack it. The link's number replaces {n} in the word, or
+ * else follows the word. Without a number, the hyphen or space that would join word and number is omitted.
  * @param {string} link
  * @param {import("assur/core/words.js").Words} words
  */
@@ -54,7 +54,7 @@ export function toLine(point, line) {
 }
 
 /**
- * Text on the moving assembly at the drawn input: its number, and the count of all assemblies, or else of those known.
+ * Text that gives the number of the moving assembly at the drawn input, and the count of all assemblies or, if there may be more, of those known.
  * @param {Pick<import("assur/state/details.js").MotionSummary, "home" | "assembled">} summary
  * @param {import("assur/state/coordinate.js").Coordinate} coordinate
  * @param {import("assur/core/words.js").Words} words
@@ -72,7 +72,7 @@ export function numbered({ assembled, home }, coordinate, words) {
 const NUMBERINGS = new Map();
 
 /**
- * Sets the numbers shown for the entries of a list in one kind of document.
+ * Sets the numbers shown for the entries of a list.
  * @param {string} list
  * @param {Numbering} numbering
  */

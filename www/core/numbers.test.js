@@ -23,7 +23,7 @@ for (const [lang, numbers] of all) {
   test(`a number written in full is read as the same (${lang})`, () => {
     often(3000, (dice) => {
       const value = dice.between(-1, 1) * 10 ** (dice.below(15) - 5);
-      // What would be written with a power of ten has a test of its own.
+      // Numbers that are written with a power of ten have a test of their own.
       if (Math.abs(value) >= 1e9 || Math.abs(value) < 1e-6) return;
       const short = Number(value.toPrecision(15));
       assert.equal(parseNumber(numbers.exact(short)), short, numbers.exact(short));
@@ -61,7 +61,7 @@ for (const [lang, numbers] of all) {
     assert.equal(numbers.short(0.123456), `0${sign}1235`);
     assert.equal(numbers.brief(0.123456789), `0${sign}123457`);
     assert.equal(numbers.exact(0.1 + 0.2), `0${sign}3`);
-    // What rounds to nothing has no minus.
+    // A negative number that is rounded to zero has no minus.
     assert.equal(numbers.fixed(-0.001, 1), `0${sign}0`);
   });
 

@@ -20,7 +20,7 @@ export function isDivided(first) {
 /**
  * @param {WebAssembly.Module} second
  * @param {WebAssembly.Module} first
- * @returns {WebAssembly.Module} the second part, which is of the same build as the first
+ * @returns {WebAssembly.Module} the second part; throws if it is of another build than the first
  */
 export function matching(second, first) {
   if (buildOf(second) !== buildOf(first)) throw new Error("the two parts of the engine are of different builds");

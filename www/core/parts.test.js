@@ -1,4 +1,4 @@
-// The engine in two parts: what a first view loads, what loads the rest, and what happens if the rest does not load.
+// Tests of the engine in two parts: a first view needs only one of them, the second is loaded once, and may fail to load.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -14,7 +14,7 @@ const compiled = (name) => new WebAssembly.Module(readFileSync(new URL(import.me
 const first = compiled("first.wasm");
 const second = compiled("second.wasm");
 
-/** Gives the second part, or throws. */
+/** Returns the second part; one test replaces this function by functions that fail. */
 let getSecond = () => second;
 let loads = 0;
 await start(first, () => {
@@ -22,7 +22,7 @@ await start(first, () => {
   return getSecond();
 });
 
-/** A part with another build in its last section. */
+/** The second part with a different number of its build. */
 function ofAnotherBuild() {
   const bytes = Uint8Array.from(readFileSync(new URL(import.meta.resolve("assur/pkg/second.wasm"))));
   bytes[bytes.length - 1] ^= 1;

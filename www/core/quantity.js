@@ -14,7 +14,7 @@ export function idOf(quantity, order) {
 
 /**
  * @param {string} name of a read-out
- * @returns {import("assur/types/web.js").ReadoutId} what it is of
+ * @returns {import("assur/types/web.js").ReadoutId} its quantity and the order of the derivative
  */
 export function readingOf(name) {
   const order = Math.max(0, STROKES.indexOf(name.slice(-1)));
@@ -23,7 +23,8 @@ export function readingOf(name) {
 
 /**
  * @param {string} quantity
- * @returns {{ of: string, what: string }} `of`: its link or point, or points or links with hyphens between them, empty if it has none. `what`: the last part of its name
+ * @returns {{ of: string, what: string }} `of`: the part before the last dot: a link, a point, or several of them with hyphens between;
+ * empty if there is none. `what`: the part after the last dot
  */
 export function partsOf(quantity) {
   const dot = quantity.lastIndexOf(".");

@@ -1,9 +1,9 @@
-// Names of read-outs: a quantity and the order of its derivative, there and back.
+// Tests of the names of read-outs, which are made of a quantity and the order of its derivative.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { idOf, partsOf, readingOf } from "assur/core/quantity.js";
 
-/** Links and points may be called like each other, like a derivative, like another read-out. */
+/** Names that could be confused: of a link and of a point, of a derivative, and of another read-out. */
 const NAMES = ["C.angle", "dC.angle", "ddC.angle", "C.x", "dC.x", "C.x.angle", "C′.angle", "″.x", "input.angle", "formula.angle", "C.centre.angle", "B-C1-D.corner"];
 
 test("a derivative has a stroke for each order, and its name says what it is of", () => {

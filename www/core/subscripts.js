@@ -1,4 +1,4 @@
-// Marked texts: letters after a _, as in x_PQ, are written as a subscript, and *words* between asterisks with emphasis.
+// Marked texts: letters and digits after a _, as in x_PQ, are written as a subscript, and *words* between asterisks with emphasis.
 import { make } from "assur/core/dom.js";
 
 /** Name of a point that is short enough for a subscript. */

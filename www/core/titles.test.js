@@ -20,7 +20,7 @@ test("notes on linkages of the catalogue are in the reader’s language", () => 
       assert.equal(sourceOf({ ...document, origin: undefined }, engine, words), document.source);
     }
   }
-  // Each note is about its own mechanism, and translated.
+  // No two notes are the same, in any language.
   const all = LANGUAGES.flatMap((lang) => noted.map(({ id }) => wordsOf(lang).text(`source.${id}`)));
   assert.equal(new Set(all).size, all.length);
 });

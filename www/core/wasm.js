@@ -32,7 +32,7 @@ export async function compiledWasm() {
   return { first, second };
 }
 
-/** @param {string} name of a part, which is loaded unless it is loading or has loaded */
+/** @param {string} name of a part, which is loaded only once unless it fails to load */
 function part(name) {
   const loading = parts.get(name) ?? fetched(name, "application/wasm").then(compile);
   parts.set(name, loading);

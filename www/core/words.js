@@ -6,7 +6,7 @@ import { measured } from "assur/core/units.js";
 /** Languages that have string tables. */
 export const LANGUAGES = Object.freeze(["en", "ru", "uk", "kk"]);
 
-/** Units that follow numbers in the texts. */
+/** Units that follow numbers in the texts, as a regular expression. */
 const UNITS = "\\{unit\\}|%|px|rpm|об/(?:мин|хв)|айн/мин|(?:min|мин|хв)⁻¹|[NН]·[mм]|m?m|cm|s|kB|MB|м?м(?:/с)?|см|с|[кМ]Б|п[иі]кс";
 
 /**

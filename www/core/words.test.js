@@ -7,7 +7,7 @@ import { measured } from "assur/core/units.js";
 import { Words, unbroken } from "assur/core/words.js";
 import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
 
-/** The forms of a noun beside a number, as grammars of the languages have them. */
+/** Plural form of a noun for a number in each language, by the rules of its grammar. */
 const FORMS = {
   en: (n) => (n === 1 ? "one" : "other"),
   kk: (n) => (n === 1 ? "one" : "other"),
@@ -34,7 +34,7 @@ for (const lang of LANGUAGES) {
         assert.ok(table.has(form), form);
         const said = words.counted(key, n);
         assert.equal(said, words.text(form, { count: String(n) }));
-        // A form that says “one” in words is of 1 alone.
+        // A text without digits, such as “one point”, is right for 1 only.
         if (!said.includes(String(n))) assert.equal(n, 1, `${form}: ${said}`);
       }
     }
