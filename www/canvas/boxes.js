@@ -13,7 +13,7 @@ export function isFree({ left, right, top, bottom }, taken) {
 
 /**
  * @param {readonly number[]} points of a curve
- * @param {number} step how many numbers each point has; x and y come first
+ * @param {number} step number of values per point, of which x and y come first
  * @param {Box} box
  * @returns {number} number of points in the box or within a pixel of its edge
  */

@@ -22,7 +22,7 @@ test("boxes are free of each other where they have no point of their insides in 
 test("points are counted in a box and within a pixel of it, whatever else a point has", () => {
   const points = [[5, 2], [-0.5, 2], [-1.5, 2], [5, 4.5], [5, 5.5], [10.5, -0.5]];
   assert.equal(covered(points.flat(), 2, box(0, 0)), 4);
-  // The third number is no place: as x and y it would be in the box.
+  // The third number of a point is not a coordinate. Read as x or y, it would be in the box.
   assert.equal(covered(points.flatMap((point) => [...point, 3]), 3, box(0, 0)), 4);
 });
 

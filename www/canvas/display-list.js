@@ -21,7 +21,7 @@ const TEXT = 4;
  * @param {readonly string[]} labels
  * @param {() => Path2D} newPath an empty path
  * @param {readonly Layer[]} [before] layers read from an earlier list with the same roles and kind of path; unchanged
- * shapes are used again, with all that was computed to paint them
+ * shapes are taken from them, with their paths
  * @returns {Layer[]} in the order of painting
  */
 export function readDisplayList(list, start, roles, labels, newPath, before = []) {
@@ -56,7 +56,7 @@ export function readDisplayList(list, start, roles, labels, newPath, before = []
 
 /**
  * @param {List} record
- * @returns {number[][]} the bounds of a circle, xmin, ymin, xmax, ymax; none of another shape
+ * @returns {number[][]} bounds of a circle, as one array xmin, ymin, xmax, ymax; an empty array for another shape
  */
 export function circleBounds(record) {
   if (record[0] !== CIRCLE) return [];

@@ -3,7 +3,7 @@ import test from "node:test";
 import { readDisplayList } from "assur/canvas/display-list.js";
 import { textWidth } from "assur/canvas/text-width.js";
 
-/** A path that keeps what was drawn into it. */
+/** Path that records the calls of its methods. */
 class Path {
   drawn = [];
   moveTo(...at) { this.drawn.push(["move", ...at]); }

@@ -39,7 +39,7 @@ const LOOKS = [
 const TEXT_SIZE = 15;
 /** Size of text on a small drawing, relative to the usual size. */
 const SMALL = 0.85;
-/** A Greek letter with one letter as its subscript, or a centre of curvature with the name of its point. Other names stay as they are. */
+/** Label with a subscript: a Greek letter with one letter, or K (a centre of curvature) with the name of its point. Others are written as they are. */
 const INDEXED = /^(\p{Script=Greek}(?=_\p{L}$)|K)_(\p{L}[\p{L}\p{N}]*)$/u;
 /** Size of a subscript relative to the text, and its distance below the text, in heights of the text. */
 const LOW = Object.freeze({ size: 0.75, below: 0.25 });
@@ -84,7 +84,7 @@ export class Painter {
    * @param {readonly (readonly number[])[]} poses
    * @param {(label: string) => string} write gives the text of a label
    * @param {import("assur/canvas/places.js").Places} places finds the places of the labels
-   * @param {boolean} small whether the drawing is small: a label without a free place is then omitted
+   * @param {boolean} small whether the drawing is small: its text is then smaller, and a label without a free place is omitted
    */
   labels({ context, ratio }, layers, view, poses, write, places, small) {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);

@@ -22,7 +22,7 @@ const SIDES = Object.freeze([1, 2].flatMap((far) => [
 /** Extra room, in heights of the label, that a moved label needs to return to its wanted place. Prevents flicker. */
 const ROOM = 1.5;
 
-/** Distance of points that are in one place, in pixels. */
+/** Distance below which two points count as one, in pixels. */
 const SAME = 2;
 
 export class Places {
@@ -41,7 +41,7 @@ export class Places {
    * Begins a new placement of all labels.
    * @param {Size} sheet size of the drawing; a label does not leave it if the label's point is inside
    * @param {readonly Point[]} [points] points of the labels
-   * @param {readonly Box[]} [lines] boxes along lines on which labels stand only for want of another place
+   * @param {readonly Box[]} [lines] boxes along lines; a label stands on them only if no other place is free
    */
   begin(sheet, points = [], lines = []) {
     this.#taken = [];
@@ -101,7 +101,7 @@ function distance(a, b) {
  * @param {number} wanted
  * @param {number} half half of the label's size
  * @param {number} length of the sheet
- * @returns {number} the wanted place, moved so that the label is on the sheet if its point is
+ * @returns {number} the wanted place, moved so that the label is inside the sheet; unmoved if the label's point is outside
  */
 function within(point, wanted, half, length) {
   return point < -half || point > length + half || length < 2 * half ? wanted : Math.min(Math.max(wanted, half), length - half);

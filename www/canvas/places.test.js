@@ -66,11 +66,11 @@ test("a label that has moved goes back with room to spare only, and does not fli
   const places = new Places();
   const frame = (off) => spotsOf(places, { A: at(100, 100), B: at(100 + off, 100) }).B.x - (100 + off);
   assert.equal(frame(0), -14);
-  // Free by a pixel is not enough to go back; one height and a half to both sides is.
+  // A clearance of one pixel is not enough to go back; three quarters of a height on both sides are.
   assert.equal(frame(WIDTH + 1), -14);
   assert.equal(frame(WIDTH + 0.75 * HEIGHT - 1), -14);
   assert.equal(frame(WIDTH + 0.75 * HEIGHT + 1), 14);
-  // Back in its place it stays for as long as that is free.
+  // Back in its wanted place, the label stays there while the place is free.
   assert.equal(frame(WIDTH + 1), 14);
   assert.equal(frame(WIDTH - 1), -14);
 });
@@ -84,7 +84,7 @@ test("a label to and fro about the end of its room changes its side once", () =>
 test("where no side is free a label is where it is wanted, and takes no room", () => {
   const places = new Places();
   places.begin(SHEET);
-  // Eight sides.
+  // Each of the eight places of a label overlaps the label that was placed first.
   const all = Array.from({ length: 10 }, (_, i) => places.take(`L${i}`, { x: 200, y: 150, dx: 4, dy: 4 }, 200, 100));
   assert.equal(all.filter(({ free }) => free).length, 1);
   assert.deepEqual(all[9], { x: 204, y: 154, free: false });
@@ -104,7 +104,7 @@ test("a label does not stand nearer to the point of another one, unless there is
   const { x, y, free } = places.take("B", own, 10, 14);
   assert.ok(free);
   assert.ok(Math.hypot(x - own.x, y - own.y) < Math.hypot(x - tip.x, y - tip.y), `${x} ${y}`);
-  // Alone, it has its wanted place again; so has one of two names of a place.
+  // Without another point near it, the label has its wanted place. A second point in the same place does not count.
   places.begin({ width: 300, height: 300 }, [own, { x: 100, y: 100 }]);
   assert.deepEqual(places.take("B", own, 10, 14), { x: 112, y: 88, free: true });
   const around = [1, -1].flatMap((dx) => [1, -1].map((dy) => ({ x: 100 + 12 * dx, y: 100 + 12 * dy })));

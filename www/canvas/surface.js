@@ -1,4 +1,4 @@
-// A canvas as sharp as the screen: its pixels follow its size on the page and the device-pixel ratio.
+// Canvas with the resolution of the screen: the number of its pixels follows its size on the page and the device-pixel ratio.
 
 export class Surface {
   /** Size in CSS pixels. */
