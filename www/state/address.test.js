@@ -47,7 +47,7 @@ test("a mechanism of the catalogue has its name for an address, a changed one al
   assert.equal(address.link(withView(state, { playing: true, lang: "ru" })), `${HOME}#jansen&v.lang=ru`);
   const changed = address.link(withDocument(state, { title: "Leg" }));
   assert.ok(changed.startsWith(`${HOME}#2&kind=linkage&d.title=Leg&`), changed);
-  // The reader's language is usual, whatever it is.
+  // The reader's own language is left out.
   assert.equal(new Address(engine, "uk").link(withView(state, { playing: true, lang: "uk" })), `${HOME}#jansen`);
 });
 
@@ -79,7 +79,7 @@ test("an address that the browser does not take is no fault", (t) => {
 });
 
 /**
- * A store whose changes are kept.
+ * Makes a store whose changes are kept in the address and in the storage of the browser.
  * @param {import("node:test").TestContext} t
  */
 function keeping(t, { accepts = () => true, ours = true, unkept = () => {} } = {}) {
@@ -157,7 +157,7 @@ for (const [when, time] of [["just before", 400], ["when", 0]])
     const store = keeping(t);
     const taken = location.href;
     store.update((state) => withView(state, { traces: false }));
-    // The browser has already taken the address.
+    // The browser has begun to reload the page with this address.
     t.mock.timers.tick(time);
     happen("pagehide");
     const meant = location.href;

@@ -12,7 +12,7 @@ const preset = (id) => {
   const found = engine.catalogue.preset(id);
   return found && { kind: found.kind, document: found.document, view: usual };
 };
-/** As a browser has it: what may not stand in an address is encoded. */
+/** The hash as a browser returns it: characters that an address may not contain are encoded. */
 const through = (hash) => {
   const url = new URL("https://assur.test/");
   url.hash = hash;
@@ -40,7 +40,7 @@ test("any JSON in a document and a view comes back from an address", () => {
     if (choice === 0) return dice.number();
     if (choice === 1) return text(dice);
     if (choice === 2) return dice.below(2) === 0;
-    // A text that is JSON has to stay a text.
+    // A text that could be read as JSON must come back as a text.
     if (choice === 3) return dice.one(["1", "null", "true", "\"x\"", "{}", "[]", " 1", "1 ", "-0", "1e5", ""]);
     if (choice === 4) return dice.below(100);
     const parts = Array.from({ length: dice.below(4) }, () => value(dice, depth - 1));

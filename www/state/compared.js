@@ -131,7 +131,7 @@ export class Compared {
   #noteBreak(thrown) {
     if (problemsOf(thrown)) return;
     console.error(thrown);
-    // A that needs a part of the engine that has not loaded is tried again with the next state.
+    // If A needs a part of the engine that has not loaded, the next state tries A again.
     if (thrown instanceof NotLoaded) this.takeAnew();
     else this.hide();
     this.broken = true;

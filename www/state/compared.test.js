@@ -1,10 +1,10 @@
-// Mechanism A beside B, where its simulator breaks.
+// Tests of mechanism A if its simulator breaks.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Compared } from "assur/state/compared.js";
 import { initialState, withExtras } from "assur/state/state.js";
 
-/** A simulator whose call trapped: it is borrowed for ever, and cannot be freed. */
+/** Simulator whose calls trap. It then stays borrowed and cannot be freed. */
 class Trapped {
   set() {
     throw new Error("unreachable");

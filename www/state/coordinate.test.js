@@ -52,7 +52,7 @@ test("time that goes on has one span after the other", () => {
   assert.deepEqual(endless.axis(37), { start: 30, end: 40 });
   assert.deepEqual(endless.axis(0), { start: 0, end: 10 });
   assert.deepEqual(run.axis(37), { start: 0, end: 10 });
-  // The end of a span is the beginning of the next: its last input is before it.
+  // The end of a span is the start of the next one, so the last input of a span lies just before its end.
   const last = endless.last(37);
   assert.ok(last < 40 && last > 39.999);
   assert.deepEqual(endless.axis(last), { start: 30, end: 40 });

@@ -1,4 +1,4 @@
-// Undo and redo: lists of earlier and of undone states. A step begins and ends where the hand does: a drag, a held key, a press, a typed field.
+// Undo and redo: lists of earlier and of undone states. One step is one drag, one press, one held key, or all typing into one field.
 import { whenReleased } from "assur/core/released.js";
 import { isTyped } from "assur/core/typed.js";
 import { partOf } from "assur/state/drafts.js";
@@ -11,9 +11,9 @@ import { EXTRAS, UNDOABLE_VIEW, extrasOf, withExtras, withMechanism, withView } 
  */
 
 /**
- * Events that end a step if the hand holds nothing: a typed number is entered, a control has changed. While a pointer or a key is
- * down they are parts of the step: a slider reports each repetition of a held key as a change, and in Firefox the focus leaves the
- * field before only after a pressed slider has moved.
+ * Events that end a step, unless a pointer or a key is held down: a typed number is entered, a control has changed. While a pointer or key
+ * is down, these events belong to the step: a slider reports each repetition of a held key as a change, and in Firefox the focus leaves the
+ * previous field only after a pressed slider has moved.
  */
 const ENDS = Object.freeze(["change", "focusout", "click"]);
 
@@ -32,7 +32,7 @@ export class History {
   #walking = false;
   /** @type {readonly string[]} fields with a number rejected during the last step; undoing the step drops these numbers */
   #within = [];
-  /** @type {"pointer" | "key" | null} what the hand holds down */
+  /** @type {"pointer" | "key" | null} what the reader holds down */
   #held = null;
   #store;
   #drafts;
@@ -53,7 +53,7 @@ export class History {
     addEventListener("pointerdown", () => this.#hold("pointer"), true);
     // A slider may report its last movement after the release of the pointer, so the release does not end the step.
     whenReleased(() => (this.#held = null));
-    // Keys in a text field are one step until the field is left, and a key beside a dragging pointer changes how it drags.
+    // All keys typed into a text field are one step, until the field is left. A key pressed during a drag only changes the drag.
     addEventListener("keydown", ({ repeat, target }) => {
       if (this.#held === "pointer") return;
       if (isTyped(target)) this.#held = null;
@@ -72,7 +72,7 @@ export class History {
     }
   }
 
-  /** @param {"pointer" | "key"} held what the hand has just pressed, which begins a step */
+  /** @param {"pointer" | "key"} held what the reader has just pressed, which begins a step */
   #hold(held) {
     this.close();
     this.#held = held;
@@ -109,7 +109,7 @@ export class History {
   }
 
   /**
-   * Makes a change as a step of its own, even if the step before has not ended.
+   * Makes a change as a step of its own. The previous step ends, and all rejected numbers are dropped.
    * @param {() => void} change
    */
   step(change) {

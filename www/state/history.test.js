@@ -7,7 +7,7 @@ import { History } from "assur/state/history.js";
 import { Store } from "assur/state/store.js";
 import { UNDOABLE_VIEW, extrasOf, initialState, withDocument, withExtras, withMechanism, withView } from "assur/state/state.js";
 
-/** A page without a page: a store, its drafts and its history. */
+/** Store with its drafts and its history, without a page. */
 function begin() {
   const store = new Store(initialState("mixer", { l1: 0, l2: 0 }, { phi_deg: 0 }));
   const drafts = new Drafts(() => {});
@@ -16,7 +16,7 @@ function begin() {
   return { store, drafts, history, set };
 }
 
-/** What undo brings back of a state, to compare with. */
+/** The parts of a state that undo restores, as text for comparisons. */
 function undone(state) {
   return JSON.stringify([state.kind, state.document, extrasOf(state), UNDOABLE_VIEW.map((name) => state.view[name])]);
 }
@@ -220,7 +220,7 @@ test("a rejected number is undone first, by itself", () => {
   assert.deepEqual([store.get().document.l1, drafts.fields(), history.canRedo], [2.2, [], false]);
   history.undo();
   assert.deepEqual([store.get().document.l1, history.canUndo], [0, false]);
-  // Without a step before it too.
+  // The same if there is no earlier step.
   drafts.keep("l2");
   assert.equal(history.canUndo, true);
   history.undo();
@@ -256,7 +256,7 @@ test("random edits: undone one by one they are the states before, redone the sta
       (state) => withView(state, { measures: [`${dice.below(3)}-B.distance`] }),
       (state) => withExtras(state, { lesson: dice.one(lessons) }),
     ];
-    // A model of what a history is: all entries, and which one is shown.
+    // Reference model of the history: all entries, and the index of the shown one.
     const entries = [undone(store.get())];
     let at = 0;
     for (let step = 0; step < 80; step++) {
@@ -270,7 +270,7 @@ test("random edits: undone one by one they are the states before, redone the sta
       } else {
         history.step(() => store.update(dice.one(edits)));
         const now = undone(store.get());
-        // What changes nothing is no step, and leaves what can be redone.
+        // A change without effect is no step, and keeps the undone steps.
         if (now !== entries[at]) entries.splice(++at, Infinity, now);
       }
       assert.equal(undone(store.get()), entries[at]);
@@ -298,6 +298,6 @@ test("pictures that were replaced are kept up to twenty million characters, howe
   }
   let steps = 0;
   for (; history.canUndo; steps++) history.undo();
-  // The last ten; of the newest one two steps are undone, of the others three.
+  // Ten pictures are kept: two steps of the newest are undone, and three of each other one.
   assert.deepEqual([Number.parseInt(store.get().picture.image, 10), steps], [6, 29]);
 });

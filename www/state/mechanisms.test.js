@@ -1,4 +1,4 @@
-// The page of links to the mechanisms of the tests: it has all of them, and each link opens one.
+// Tests of the page of links to the test mechanisms: it lists all of them, and each link opens one.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { attempt } from "assur/core/problem.js";
@@ -15,7 +15,7 @@ const preset = (id) => {
   const found = engine.catalogue.preset(id);
   return found && { kind: found.kind, document: found.document, view };
 };
-/** Why what follows a # opens nothing. */
+/** Problems on opening an address, given the part after the #; none if it opens. */
 const opened = (hash) => attempt(() => engine.set(engine.functions.readState(fromAddress(hash, preset)))).problems;
 const parts = mechanisms(ROOT);
 

@@ -205,7 +205,7 @@ export class Model {
   }
 
   /**
-   * Brings everything up to date with a state.
+   * Updates the mechanism and its pose to a state, as far as the state has changed.
    * @param {State} state
    */
   follow(state) {

@@ -173,11 +173,11 @@ test("what the engine changes of a document is taken, with the place of the inpu
   const { summary, problems } = now();
   assert.deepEqual(problems, []);
   assert.ok(Math.abs(summary.dimensions.find((one) => one.field === field).value - 16) < 1e-9);
-  // What is refused stands in the field.
+  // The problem of a refused value is kept for its field.
   change(() => engine.simulator.setDimension(field, 1e6, inputNow(page)), field, page);
   assert.ok(drafts.has(field));
   assert.ok(drafts.problems[0].code !== "not_a_number");
-  // A hand on a drawing of another kind changes nothing.
+  // A change of a drawing is not taken if the state is of another kind.
   const before = store.get();
   store.put({ ...before, kind: "mixer" });
   assert.equal(take({ document: { l1: 1 } }, page), false);
@@ -206,7 +206,7 @@ test("what is compared is read at the same input, and only where it changes it i
   const both = update((state) => withExtras(state, { compared }));
   assert.equal(both.compares, true);
   assert.deepEqual(both.compared.readouts, both.readouts);
-  // By the same axes, with the same rates of the driver, and what is measured of both.
+  // A has the axes, input rate and measures of B.
   const byTime = update((state) => withView(state, { axes: "physical", omega: 2, epsilon: 3, measures: ["A-C.distance"] }));
   assert.deepEqual(byTime.compared.readouts, byTime.readouts);
   assert.notEqual(byTime.readouts.value("A-C.distance", 2), undefined);
@@ -216,11 +216,11 @@ test("what is compared is read at the same input, and only where it changes it i
   assert.notEqual(other.readouts.value("rocker.angle"), other.compared.readouts.value("rocker.angle"));
   const turned = update((state) => withView(state, { phi_deg: 100 }));
   assert.notEqual(turned.compared.readouts.value("rocker.angle"), other.compared.readouts.value("rocker.angle"));
-  // The drawing has room for both.
+  // The bounds contain both mechanisms.
   const { kind, document: jansen } = engine.catalogue.preset("jansen");
   const large = update((state) => withExtras(state, { compared: { kind, document: jansen } }));
   assert.ok(large.summary.bounds[2] - large.summary.bounds[0] > 10);
-  // What goes by another sort of input is not shown beside it.
+  // A mechanism with another kind of input is not compared.
   const train = engine.catalogue.preset("train-gears");
   const none = update((state) => withExtras(state, { compared: { kind: train.kind, document: train.document } }));
   assert.deepEqual([none.compares, none.compared], [false, null]);

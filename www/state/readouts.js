@@ -1,4 +1,4 @@
-// Read-outs: values at an input, and the quantities that they are of.
+// Read-outs: their values at an input, and the quantities to which they belong.
 
 /** @typedef {import("assur/types/web.js").ReadoutId} ReadoutId */
 
@@ -24,7 +24,7 @@ export class Names {
     this.points = of(".x");
     /** Links whose angles are read. */
     this.links = of(".angle");
-    /** Quantities read with their derivatives. */
+    /** Quantities that are read with their first and second derivatives. */
     this.quantities = all.filter(({ order }) => order === 2).map(({ quantity }) => quantity);
   }
 
@@ -69,7 +69,7 @@ export class Readouts {
 
   /**
    * @param {string} quantity
-   * @param {number} [order] of the derivative that the plots show
+   * @param {number} [order] of the derivative, with respect to the variable that the plots use
    * @returns {number | undefined} undefined if the mechanism has no such read-out
    */
   value(quantity, order = 0) {

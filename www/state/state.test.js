@@ -21,7 +21,7 @@ test("a change makes a new frozen state and leaves the old one as it was", () =>
   assert.equal(turned.document, state.document);
   assert.equal(longer.view, state.view);
   for (const one of [state, state.view, turned, turned.view, longer, longer.document]) assert.ok(Object.isFrozen(one));
-  // 0 and −0 are two numbers, NaN is one.
+  // 0 and −0 count as different, NaN as equal to itself.
   assert.ok(contains({ a: NaN }, { a: NaN }));
   assert.ok(!contains({ a: 0 }, { a: -0 }));
 });

@@ -1,4 +1,4 @@
-// What the browser keeps, with a store that is full, and another tab that keeps its own.
+// Tests of what the browser stores, also if its storage is full or forbidden, and if another tab stores another mechanism.
 import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
 import { happen } from "assur/tests/window.js";
@@ -37,7 +37,7 @@ beforeEach(() => {
   room = Infinity;
 });
 
-/** A page that keeps what it shows, and what it was told. */
+/** Page whose state is stored; `told` lists what was reported as not stored. */
 function begin(ours = true) {
   const store = new Store(rocker);
   const told = [];
@@ -96,7 +96,7 @@ test("where the browser forbids to keep anything, nothing is said of it", (t) =>
   assert.deepEqual(told, []);
 });
 
-/** Another tab keeps a state. */
+/** Simulates another tab that stores a state. */
 const elsewhere = (state) => happen("storage", { key: "assur.state", newValue: JSON.stringify(state) });
 
 test("another tab that keeps its own mechanism is said once, where this one has its own", () => {
@@ -110,7 +110,7 @@ test("another tab that keeps its own mechanism is said once, where this one has 
   assert.deepEqual(told, []);
   for (const title of ["other", "one more"]) elsewhere(titled(title)(rocker));
   assert.deepEqual(told, ["tab"]);
-  // What is changed last is kept.
+  // The next change in this tab is stored over the state of the other tab.
   change(titled("last"));
   assert.equal(JSON.parse(texts.get("assur.state")).document.title, "last");
 });
@@ -132,7 +132,7 @@ test("a frame of another page keeps nothing and is not told", () => {
 test("of lecturers' lessons the last forty keep their answers and names, all else stays", () => {
   keep("lesson.mobility", "{}");
   keep("lesson.written", "d3");
-  // Of a version that did not count them.
+  // Entries of an older version, which kept no list of lessons.
   texts.set("assur.lesson.own.old", "Ada");
   texts.set("assur.lesson.own.old.1x", "{}");
   for (let i = 0; i < 40; i++) {
@@ -142,7 +142,7 @@ test("of lecturers' lessons the last forty keep their answers and names, all els
   }
   assert.deepEqual([kept("lesson.own.old"), kept("lesson.own.old.1x")], [null, null]);
   assert.deepEqual([kept("lesson.own.d0"), kept("lesson.own.d39.2x")], ["Reader 0", "{}"]);
-  // One that is worked on again is among the last.
+  // A lesson that is used again moves to the end of the list.
   keepLesson("own.d0.1x", "{}");
   keepLesson("own.more", "Reader");
   assert.deepEqual(["d0", "d0.2x", "d1", "d1.2x", "d2", "more"].map((name) => kept(`lesson.own.${name}`) !== null), [true, true, false, false, true, true]);
@@ -157,7 +157,7 @@ test("answers in a lesson that do not fit are said once and stay for the visit",
   for (let times = 0; times < 3; times++) keepLesson("own.full.1x", answers + times);
   keepLesson("mobility", answers);
   assert.deepEqual([told, kept("lesson.own.full.1x"), kept("lesson.mobility")], [["lesson"], `${answers}2`, answers]);
-  // What was kept before is not given up for them.
+  // The answers stored before are not removed to make room.
   assert.equal(texts.get("assur.lesson.own.full.1x"), "{}");
   room = Infinity;
   keepLesson("own.full.1x", "anew");

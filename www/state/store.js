@@ -1,4 +1,4 @@
-// The only holder of the page's state.
+// Store of the page's state. Nothing else holds the state.
 
 /**
  * Holder of an immutable value; every change replaces the value.

@@ -1,4 +1,4 @@
-// The engine without room on its stack: each exported call in turn traps, is said to, and leaves an engine that works on.
+// Tests of traps: each exported call in turn runs out of stack, which is reported, and the engine works on afterwards.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Engine } from "assur/engine.js";
@@ -20,7 +20,7 @@ const EDIT = { edit: "place", point: "B", at: [1, 1] };
 const ENDS = { x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] };
 const FUNCTION = { ...state, kind: "synthesis", document: { frame: 1, positions: [], function: { of: "log10", ...ENDS } } };
 
-/** What each method of a simulator is called with. */
+/** Arguments of each method of a simulator. */
 const METHODS = {
   set: [state], lengths: [], choosesLengths: [], labelNames: [], scene: [], at: [INPUT], plotted: [INPUT], why: [INPUT], readouts: [], drag: ["B", INPUT, 1, 1],
   press: ["B"], edit: [EDIT, INPUT], part: [["A"], [], INPUT], linkAt: [INPUT, 1, 1], asKind: ["mixer", INPUT], trace: [INPUT, 1, 1], setDimension: ["links[0].length", 2, INPUT],
@@ -28,13 +28,13 @@ const METHODS = {
   polygons: [INPUT, 3], forces: [INPUT], relations: [INPUT], outputs: [], transmissions: [], profile: [], constraints: [],
 };
 
-/** What each function of the module is called with. */
+/** Arguments of each function of the module. */
 const FUNCTIONS = {
   blank: [], catalogue: [], checkKeys: ["{}"], functionPositions: [FUNCTION, 3, false], isImport: ["{}"], numbersOf: [state], qrCode: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
   shelves: [], task: [1], defaultView: [], mixers: [],
 };
 
-/** Those with two simulators have a test of their own; one needs no memory. */
+/** Methods that are not in `METHODS`: those with two simulators have a test of their own, `setSymbol` needs no memory, the others belong to wasm-bindgen. */
 const ELSEWHERE = ["setSymbol", "constructor", "free", "__destroy_into_raw", "chartCompared", "sweepCompared"];
 
 test("every exported call is here", () => {
@@ -45,7 +45,7 @@ test("every exported call is here", () => {
 });
 
 /**
- * Has a call trap ten times in a row, and looks whether the engine works on.
+ * Makes a call trap ten times in a row, and tests each time that the engine works on.
  * @param {string} name
  * @param {(simulator: module.Simulator) => unknown} call
  * @returns {number} how often it trapped
