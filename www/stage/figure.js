@@ -42,7 +42,7 @@ export class Figure {
    * @param {Pick<import("assur/engine.js").Engine, "roles" | "labels">} engine
    * @param {Theme} theme
    * @param {() => Path2D} [newPath] makes an empty path of the kind that the targets take
-   * @param {Places} [places] positions of the labels of another figure, at which this figure puts its labels, too
+   * @param {Places} [places] positions of the labels, which this figure may share with another one
    */
   constructor(engine, theme, newPath = () => new Path2D(), places = new Places()) {
     this.#places = places;
@@ -57,7 +57,7 @@ export class Figure {
     return this.#places;
   }
 
-  /** @returns {(readonly number[])[]} bounds of each label and circle that changes in motion: xmin, ymin, xmax, ymax */
+  /** @returns {(readonly number[])[]} bounds, in the frame's coordinates, of each label and circle that changes in motion: xmin, ymin, xmax, ymax */
   marks() {
     const layers = this.#changing.filter(({ body }) => body === 0);
     const labels = layers.flatMap((layer) => layer.labels).map(({ x, y }) => [x, y, x, y]);

@@ -1,4 +1,4 @@
-// The drawing: where labels stand in it, and what is written in them.
+// Tests of the drawing: places and texts of its labels.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
@@ -13,7 +13,7 @@ const HEIGHT = 15;
 const ALL = { vectors: true, loop_vectors: true, transmission: true };
 
 /**
- * A page with a figure; the labels of the drawing at an input, as they are written.
+ * Makes a page with a figure, and functions that paint it and return its labels as they are written.
  * @param {string} id
  * @param {object} [view]
  */
@@ -63,7 +63,7 @@ test("a label that changes its side stays there, and does not jump to and fro", 
     last = labels;
   }
   for (const all of jumps.values()) {
-    // The tips of vectors are that fast themselves.
+    // A label at the tip of a vector (′, ″) moves as fast as the tip.
     if (/[′″]$/.test(all[1])) continue;
     const at = all.filter((_, i) => i % 2 === 0);
     assert.ok(at.length <= 8 && at.every((one, i) => i === 0 || one - at[i - 1] > 4), String(all));
@@ -142,7 +142,7 @@ test("names are names, whatever they look like", () => {
   const written = texts(paint((state) => withView(state, { transmission: true, phi_deg: 62 })));
   assert.ok(written.includes("x=input") && written.includes("A=1"), written.join("|"));
   assert.ok(written.includes("φ₁ = 62.0°") && written.some((text) => /^μ = \d/.test(text)), written.join("|"));
-  // In no language is a point called by the word for a link, or by another text of the page.
+  // A point whose name equals the word of a link or a key of the words keeps its name in every language.
   page.words = wordsOf("ru");
   const translated = texts(paint());
   assert.ok(translated.includes("rod") && translated.includes("by_hand"), translated.join("|"));

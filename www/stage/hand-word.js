@@ -13,14 +13,14 @@ import { inputNow } from "assur/state/change.js";
 /** @type {Readonly<Record<Effect, string>>} keys of the words */
 const WORDS = Object.freeze({ drives: "drag.drives", lengths: "drag.lengths", pivot: "drag.pivot", traced: "drag.traced" });
 
-/** From the pointer to the word, in pixels: for a mouse, and for a finger, which covers more. */
+/** Distance of the word from the pointer, in pixels: for a mouse, and for a finger, which covers more. */
 const AWAY = Object.freeze([18, 46]);
 
 /**
- * Asks the engine what it would do if a handle were dragged to where it is.
+ * Determines the effect of a drag of a handle: asks the engine for the change that a drag to the handle's present place would make.
  * @param {Pick<import("assur/app/page.js").Page, "engine" | "store" | "model">} page
  * @param {Pick<Joint, "name" | "x" | "y">} joint
- * @returns {Effect | null}
+ * @returns {Effect | null} null if the drag is refused, or if all handles of the mechanism have the same effect
  */
 export function effectOf(page, { name, x, y }) {
   const { summary } = page.model;

@@ -1,4 +1,4 @@
-// What a drag of a handle does, known before it is dragged.
+// Tests of the effect of a drag that the page shows before the drag.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { effectOf } from "assur/stage/hand-word.js";

@@ -1,5 +1,5 @@
-// The key to the overlays of instant centres and curvature, which opens over the drawing: what each line and mark is, and a command
-// that brings all of them into view.
+// Legend of the overlays of instant centres, centrodes and curvature, over the drawing: the names of their lines and marks, and a button that
+// fits all of them into the view.
 import { byId } from "assur/core/dom.js";
 import { html, render } from "assur/core/html.js";
 

@@ -1,4 +1,4 @@
-// Background of the drawing: squared paper with its scale and the fixed shapes. While it stays the same, it is copied to every frame.
+// Background of the drawing: squared paper with its scale and the fixed shapes. While it is unchanged, each frame takes it from a copy.
 
 /**
  * @typedef {import("assur/canvas/painter.js").Context} Context

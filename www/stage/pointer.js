@@ -284,7 +284,7 @@ export class MechanismPointer {
 
   /** @param {WheelEvent} event */
   #wheel(event) {
-    // Over a frame, the wheel scrolls on the page around it, unless the reader has pressed into the frame.
+    // In a frame without the focus, the wheel scrolls the page around the frame. With Ctrl it always zooms.
     if (parent !== window && !event.ctrlKey && !document.hasFocus()) return;
     event.preventDefault();
     const at = this.#pixelOf(event);

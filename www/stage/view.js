@@ -84,13 +84,13 @@ export class MechanismView {
     this.#draw();
   }
 
-  /** @param {Laid} paint paints over the mechanism, but not in exported pictures */
+  /** @param {Laid} paint paints over the mechanism and under its labels, but not in exported pictures */
   lay(paint) {
     this.#laid.push(paint);
   }
 
   /**
-   * @param {Laid} paint paints between the paper and the mechanism, but not in exported pictures
+   * @param {Laid} paint paints over the paper and the fixed shapes and under the moving shapes, but not in exported pictures
    * @param {() => readonly number[] | null} bounds returns the bounds of what is painted: xmin, ymin, xmax, ymax
    */
   layUnder(paint, bounds) {
@@ -211,7 +211,7 @@ export class MechanismView {
 
   /**
    * Fits the whole mechanism to the canvas.
-   * @param {boolean} [replaced] whether it is that of the next snapshot
+   * @param {boolean} [replaced] whether the mechanism of the next snapshot is meant
    */
   fit(replaced = false) {
     this.#replaced = replaced;

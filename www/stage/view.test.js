@@ -1,4 +1,4 @@
-// Pictures of the stage.
+// Tests of the view of the drawing, and of the pictures made of it.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
@@ -84,7 +84,7 @@ test("all that is shown is brought into view: distant instant centres and circle
   const look = { phi_deg: 140, instant_centres: true, curvature: true };
   const view = viewOf(width, height, "crank-rocker", look);
   const before = view.view.scale;
-  // P₀₂ is where the lines of crank and rocker meet: far below the frame, at this input.
+  // At this input, the instant centre P₀₂, where the lines of crank and rocker meet, lies far below the frame.
   const far = [Math.cos, Math.sin].map((of) => of((140 * Math.PI) / 180));
   const along = (/** @type {number} */ t) => /** @type {const} */ ([t * far[0], t * far[1]]);
   view.fitAll();
@@ -93,7 +93,7 @@ test("all that is shown is brought into view: distant instant centres and circle
   assert.ok(left > 0 && left < width && top > 0 && top < height, `${left} ${top}`);
   view.fit();
   assert.equal(view.view.scale, before);
-  // Without overlays it is the usual view.
+  // Without overlays, the view is the fitted one.
   const plain = viewOf(width, height, "crank-rocker", { phi_deg: 140 });
   plain.fitAll();
   assert.equal(plain.zoomed, false);
