@@ -181,7 +181,7 @@ function freeCorner({ left, top, width, height, curve }, at, down, [wide, tall],
  * @param {number} y of a pointer
  * @param {number} beyond greatest distance outside the plot, in pixels
  * @param {number} input current input
- * @returns {number | null} input at the point of the curve nearest to the pointer; null if the pointer is too far from the plot
+ * @returns {number | null} input at the point of the curve nearest to the pointer; null if the pointer is too far from the plot or there is no curve
  */
 export function inputAt({ left, top, width, height, curve }, x, y, beyond, input) {
   if (x < left - beyond || x > left + width + beyond || y < top - beyond || y > top + height + beyond) return null;

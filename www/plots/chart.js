@@ -1,4 +1,4 @@
-// The plots: curves from the engine, text from the page, both on one canvas that is redrawn only if the curves change.
+// The plots: curves from the engine, text from the page, both on one canvas that is redrawn only if one of them changes.
 import { Surface } from "assur/canvas/surface.js";
 import { setData } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
@@ -101,7 +101,7 @@ export class ChartView {
   }
 
   /**
-   * Paints the plots with the cursor of a moment on another canvas of the same size.
+   * Paints the plots with a cursor at an input on another canvas of the same size.
    * @param {import("assur/canvas/painter.js").Target} target
    * @param {Theme} theme
    * @param {{ readonly frameInput: number, readonly plotted?: Float64Array | null }} moment
@@ -132,7 +132,7 @@ export class ChartView {
     const { panels, against } = value ?? { panels: [], against: null };
     const covered = this.#overlay?.(context, panels, snapshot, this.#engine, theme) ?? [];
     const written = drawChartText(context, panels, snapshot, theme);
-    // On paper a press does nothing.
+    // Exported plots have no sign, because they cannot be pressed.
     const sign = { alone: only !== "all", end: width };
     const titles = fullDetail ? written : written.map((title) => drawTitleSign(context, title, theme, sign));
     const by = { cursor: !fullDetail };

@@ -1,4 +1,4 @@
-// The plots: what is written in them, where, and what a pointer at them means. Curves are drawn by the engine on a canvas without pixels.
+// Tests of the plots: their texts, the places of the texts, and the input under a pointer. The engine draws the curves on a canvas without pixels.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
@@ -73,7 +73,7 @@ test("no label of a plot is over another, over a title or outside the plot", () 
   assert.ok(draw().labels.flat().length > 8);
 });
 
-/** Makes a canvas for a view of the page, with the boxes of the numbers painted on it. */
+/** Makes a canvas without pixels for a view of the page; it has the boxes of the numbers painted on it. */
 function canvasOf({ width, height }) {
   globalThis.ResizeObserver = class {
     constructor(measure) {
@@ -237,11 +237,11 @@ test("a press on a curve is the input of its place, next to the motion where it 
     const [x, y, input] = dice.one(points);
     assert.ok(Math.abs(inputAt(against, x, y, 10, input) - input) < 0.2, `${input}`);
   });
-  // Where the curve passes once it is that pass, wherever the motion is.
+  // If the curve passes only once near the pointer, that pass is taken, whatever the current input.
   const [x0, y0, top] = points.reduce((best, point) => (point[1] < best[1] ? point : best));
   for (const away of [1, 2, 3]) assert.ok(Math.abs(inputAt(against, x0, y0, 10, top + away) - top) < 0.5, String(away));
   assert.equal(inputAt(against, against.left - 30, against.top, 10, 0), null);
-  // Paths have one scale on both axes.
+  // Both axes of a path have the same scale.
   const { x, y, width, height } = against;
   assert.ok(Math.abs(width / (x.to - x.from) / (height / (y.to - y.from)) - 1) < 1e-6);
   assert.equal(axisName(x, against, snapshot), "x F");

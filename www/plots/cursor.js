@@ -24,7 +24,7 @@ import { axisValueText } from "assur/plots/units.js";
 const TAG = 17;
 /** Dashes of the second cursor's line. */
 const GHOST = [4, 4];
-/** The first cursor: an unbroken line without the input. */
+/** Look of the first cursor: an unbroken line, without the input as text. */
 const FIRST = Object.freeze({ named: false });
 
 export class ChartCursor {
@@ -116,7 +116,7 @@ export class ChartCursor {
    */
   #dots(panel, snapshot, points, x, labels) {
     const { state: { view: { playing } }, words, withheld } = snapshot;
-    // In motion the numbers would jump at every mark.
+    // In motion, the exact values of marks are not written, because the numbers would jump at every mark.
     const marked = (/** @type {string} */ role) => (!playing || this.#hovered !== null ? textAtCursor(panel, role, x, labels, snapshot) : null);
     const dots = points.map(({ index, value, y, role }) => {
       const hidden = withheld.has(idOf(panel.series[index].name, panel.order));
@@ -140,7 +140,7 @@ export class ChartCursor {
     const room = { left, top, right: left + width + 7, bottom: top + height };
     const middles = dots.map(({ y }) => y);
     const tags = placedTags({ middles, widths, tall: this.#tall, x, off: dotRadius(this.#theme) + 5, room, labels });
-    // A number without room beside the labels is left out: the table has it.
+    // A number that would cover a label is omitted; the table of values has it.
     dots.forEach((dot, i) => isFree(tags[i], labels) && this.#tag(tags[i].left, tags[i].top, widths[i], dot));
   }
 

@@ -20,7 +20,7 @@ import { quantityText } from "assur/plots/values.js";
 
 const NONE = "—";
 
-/** Letter of the end of the diameter in the drawing. */
+/** Letter, in the drawing, at the end of the diameter of the inflection circle. */
 const INFLECTION_POLE = "J";
 
 /** @type {Here} */

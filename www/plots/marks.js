@@ -27,10 +27,10 @@ const BETWEEN = 4;
 /** Distance between the points that represent the zero line, in pixels. */
 const SPARSE = 12;
 
-/** Greatest number of points of curves that a label may touch: one is a corner of the label. */
+/** Greatest number of points of curves that a label may cover. A single point lies under a corner of the label. */
 const MAX_COVERED = 1;
 
-/** Height of a plot for each of its curves below which only the marks are drawn, in pixels: the cursor gives their labels. */
+/** Height of a plot of several curves, for each curve, below which only the marks are drawn, in pixels. The cursor then shows the labels. */
 const LOW = 70;
 
 /**
@@ -95,13 +95,13 @@ function markText({ kind, phi, value }, panel, { coordinate, words }) {
   return kind === "zero" ? angle : words.text("plots.mark", { value: axisValueText(panel, value, words.numbers), angle });
 }
 
-/** Distance between points of a steep curve, and the greatest distance along the axis of two points that are neighbours, in pixels. */
+/** `CLOSE`: distance between added points of a steep curve. `NEIGHBOURS`: greatest distance along the axis of neighbours on a curve. In pixels. */
 const CLOSE = 4;
 const NEIGHBOURS = 8;
 
 /**
  * @param {readonly number[]} points of curves, x and y of each point
- * @returns {number[]} the points with others between them where a steep curve has them far apart
+ * @returns {number[]} the points, with others added between them where a curve is steep
  */
 function closer(points) {
   const all = points.slice(0, 2);

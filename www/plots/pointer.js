@@ -81,7 +81,7 @@ export class ChartPointer {
 
   /** @param {PointerEvent} event */
   #down(event) {
-    // The second press of a double click goes with the first, wherever the title is by now.
+    // The second press of a double click counts as on the title if the first was, although the title may have moved.
     if (event.timeStamp - this.#pressed > TWICE) this.#titled = this.#onTitle(event);
     this.#pressed = event.timeStamp;
     if (this.#titled) return;

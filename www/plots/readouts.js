@@ -58,7 +58,7 @@ function isPhysical({ state: { view }, coordinate }) {
 
 /**
  * @param {Snapshot} snapshot
- * @returns {import("assur/controls/shown.js").Row} the symbols of the derivatives of angles, of lengths or of both
+ * @returns {import("assur/controls/shown.js").Row} heads of the columns: the symbols of the listed quantities, by order of the derivative
  */
 function headsOf(snapshot) {
   const found = (/** @type {string[]} */ ...sorts) => sorts.filter((one) => snapshot.summary.listed.some(({ what }) => what === one));
@@ -71,7 +71,7 @@ function headsOf(snapshot) {
 
 /**
  * @param {Snapshot} snapshot
- * @returns {TableRow} the input, which no lesson withholds
+ * @returns {TableRow} row of the input, which no lesson withholds
  */
 function inputRow({ state, coordinate, inputShown, words }) {
   const [letter, name] = [coordinate.symbol, words.text(`readouts.input.${coordinate.moves}`)];

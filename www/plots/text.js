@@ -79,7 +79,7 @@ function drawTitle(context, panel, coordinate, words, theme) {
   return { left, top: top - 22 * theme.scale, right: right + 4, bottom: top - 5 * theme.scale };
 }
 
-/** Sign after a title that a press on it makes the plot large, or shows all plots again, in pixels. */
+/** Size of the sign after a title, in pixels. The sign shows that a press on the title makes the plot large, or shows all plots again. */
 const SIGN = 9;
 
 /**
@@ -142,7 +142,7 @@ function names(panel, words, naming) {
 /**
  * @param {Panel} panel
  * @param {Words} words
- * @returns {string} the symbols of the first derivatives
+ * @returns {string} the symbols of the first derivatives, without subscripts, each once
  */
 function firsts({ physical, series }, words) {
   const symbols = series.map((one) => symbol(one, 1, physical, words).replace(/[₀-₉]/g, ""));
