@@ -1,4 +1,4 @@
-// A column beside the drawing: its edge is dragged, folds it by a press, and is moved by keys; the browser keeps the width.
+// A column beside the drawing. A drag of its edge or the arrow keys change its width, and a press folds it. The browser keeps the width.
 import { byId, setData } from "assur/core/dom.js";
 import { keep, kept } from "assur/state/storage.js";
 
@@ -11,7 +11,7 @@ const LEAST = 180;
 /** Change of the width by an arrow key, in pixels. */
 const STEP = 24;
 
-/** Widths at Home and End: the style sheet limits them. */
+/** Widths that the keys Home and End ask for, in pixels; the style sheet limits them. */
 const ENDS = Object.freeze({ Home: 1, End: 1e5 });
 
 export class Column {
@@ -63,7 +63,7 @@ export class Column {
   #widen(width) {
     this.#fold(false);
     this.#share(width / innerWidth);
-    // The style sheet limits the width: what is kept is what is seen.
+    // The style sheet may have limited the width: the share is that of the actual width.
     this.#share(this.#column.offsetWidth / innerWidth);
   }
 
@@ -71,7 +71,7 @@ export class Column {
     if (!this.#folded) keep(this.#name, String(this.#column.offsetWidth / innerWidth));
   }
 
-  /** Tells screen readers the width, as a percentage of the window's. */
+  /** Gives screen readers the width, as a percentage of the window's. */
   #say() {
     this.#edge.ariaValueNow = String(Math.round((100 * this.#column.offsetWidth) / innerWidth));
   }

@@ -49,7 +49,7 @@ export class Measures {
   #parts = [0, 1, 2].map((n) => byId(`measure-${n}`, HTMLSelectElement));
   #pick = byId("measure-pick", HTMLButtonElement);
   #add = byId("measure-add", HTMLButtonElement);
-  /** What to press next, over the drawing. */
+  /** Prompt over the drawing for the point or link to press next. */
   #prompt = make("p", { id: "measure-prompt", class: "hand-word prompt", role: "status" });
   #seen = new Seen();
   #shown = new Seen();
@@ -182,7 +182,7 @@ export class Measures {
     this.#ask();
   }
 
-  /** Writes what to press next. */
+  /** Writes the prompt for the next press, or clears it. */
   #ask() {
     const { count, links } = BETWEEN[this.#chosen];
     const { words } = this.#page;
@@ -199,7 +199,7 @@ export class Measures {
     this.#page.mechanism.ring("");
   }
 
-  /** Starts no drag. */
+  /** Starts no drag: the tool takes only presses. */
   grab() {
     return null;
   }

@@ -1,4 +1,4 @@
-// The list of measures: the focus stays in it while it changes.
+// Tests that the focus stays in the list of measures while the list changes.
 import "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";

@@ -1,4 +1,4 @@
-// A field for a number: what is typed, while it is no number, and what is written out.
+// Tests of the field for a number: typed text that is not a number, and the text that the field writes.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { NumberBox } from "assur/controls/number-box.js";
@@ -6,7 +6,7 @@ import { Numbers } from "assur/core/numbers.js";
 import { Drafts } from "assur/state/drafts.js";
 import { LANGUAGES } from "assur/tests/words.js";
 
-/** A text field, as far as a number needs one. */
+/** Stand-in for a text field. */
 class Field extends EventTarget {
   value = "";
   attributes = {};
@@ -17,7 +17,7 @@ class Field extends EventTarget {
 }
 globalThis.document = { activeElement: null };
 
-/** A field of a number that a state holds. */
+/** Field for a number of a state. The state limits the number to 9. */
 function begin(lang = "en", value = 0.370001234) {
   const [field, drafts, numbers] = [new Field(), new Drafts(() => {}), new Numbers(lang)];
   let state = value;

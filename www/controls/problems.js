@@ -15,14 +15,14 @@ import { called, calledBy, entryNumber, toLine } from "assur/core/names.js";
 const ENTRY = /^(\w+)\[(\d+)\]\.(\w+)$/;
 /** A dimension of a linkage: `links[5].length`, `links[2].side[1][2]`, `links[2].corner_deg[2]`, `slides[0].offset`, `points[8].x`. */
 const DIMENSION = /^(links|slides|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*)$/;
-/** A length in a document other than a linkage: `l1` of a mixer, the frame of a synthesis, `x` of a traced point. */
+/** A length that is not a dimension of a linkage: `l1` of a mixer, the module of a train, the frame of a synthesis, `x` of a traced point. */
 const LENGTH = /^(?:l\d|module|frame|tracers\[\d+\]\.[xy])$/;
 /** Keys of the names of links' dimensions. */
 const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
 /** A number in a list, such as `bodies.inertia[2]`, or in a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 
-/** Code of a message that only says what a press did. */
+/** Code of the message that reports the effect of a press. It is not a problem. */
 const DONE = "on_link";
 
 /** Keys of the sentences on impossible lengths, by the code of the problem. */

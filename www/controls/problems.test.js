@@ -1,4 +1,4 @@
-// Problems of the engine as sentences.
+// Tests of the sentences for the engine's problems.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { fieldName, sentence } from "assur/controls/problems.js";
@@ -12,7 +12,7 @@ import { LANGUAGES, tableOf, wordsOf } from "assur/tests/words.js";
 
 const [en, ru] = ["en", "ru"].map((lang) => wordsOf(lang));
 
-/** What the page says of a document that is changed. */
+/** Sentences for the problems of a mechanism of the catalogue after a change. */
 function said(id, change, words = en) {
   const page = new Page(id, { phi_deg: 75 });
   page.store.update((state) => change(state));
@@ -60,7 +60,7 @@ test("fields are called by what they are of: a link, a point, the number of an e
       assert.ok(name.length > 1 && !/field\.|[{}]|undefined/.test(name), `${words.lang} ${field}: ${name}`);
     }
   }
-  // Of a document that has no such link the number stands there.
+  // If the document has no such link, the index replaces its name.
   assert.ok(fieldName("links[7].length", en, undefined).includes("7"));
 });
 

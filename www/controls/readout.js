@@ -12,7 +12,7 @@ const WIDE = 3;
 
 /**
  * @param {Pick<Cell, "text" | "asked">} cell
- * @returns its text
+ * @returns the text, followed by a text for screen readers if a lesson withholds the read-out
  */
 export function readoutText({ text, asked }) {
   return asked === undefined ? text : html`${text}<span class="unseen"> ${asked}</span>`;
@@ -20,7 +20,7 @@ export function readoutText({ text, asked }) {
 
 /**
  * @param {TableCell} cell
- * @returns a cell of a table
+ * @returns template of a cell of a table
  */
 export function readoutCell(cell) {
   const { id, wide, value, asked, at, why } = cell;

@@ -1,5 +1,5 @@
-// What the read-outs show now, as data. Tables of values and the status line put their rows here and write them into the page; steps of lessons and
-// worksheets take theirs from here.
+// The read-outs as they are shown now, as data. Tables of values and the status line put their rows here and write them into the page; steps
+// of lessons and worksheets take their read-outs from here.
 
 /**
  * @typedef {Readonly<{ id: string, title: string, text: string, value?: number, asked?: string, wide?: boolean }>} Cell
@@ -24,7 +24,7 @@ export class Shown {
     this.changed();
   }
 
-  /** Forgets all rows, which are of another kind of document. */
+  /** Forgets all rows, because a document of another kind is open. */
   clear() {
     this.#sections.clear();
     this.changed();
@@ -75,7 +75,7 @@ export function isAsked(withheld, name, reveals) {
 /**
  * @template {Omit<Cell, "id"> & { id?: string }} C
  * @param {string} name of a read-out
- * @param {C} said what the read-out shows; its element has an id of its own if it is not the read-out itself
+ * @param {C} said content of the cell; with an `id` only if the cell is not the read-out itself, but, for example, a difference
  * @param {{ withheld: ReadonlySet<string>, words: import("assur/core/words.js").Words }} snapshot
  * @param {RegExp} [reveals] as in `isAsked`
  * @returns {C & { id: string } | Cell} the cell, or one with a question mark if a lesson asks for what it shows

@@ -1,4 +1,4 @@
-// Read-outs as data: tables, status line, a step of a lesson and the worksheet show the same; what a lesson asks for is shown by none of them.
+// Tests that tables, status line, steps of lessons and the worksheet show the same read-outs, and that none shows what a lesson asks for.
 import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
@@ -39,7 +39,7 @@ function written() {
   return new Map(all(globalThis.document, "[id]").map((output) => [output.id, output]));
 }
 
-/** What a step of a lesson shows of read-outs: titles, texts and numbers. */
+/** Read-outs in a step of a lesson: titles, texts and numbers. */
 function inStep(views, names) {
   const tools = new Tools(views.shown);
   tools.show({ readouts: names }, () => ({}));
@@ -136,7 +136,7 @@ for (const [id, view, expected] of [
         if (inTable >= 0) assert.ok(rows.some((row) => row[0] === views.shown.rows("values")[inTable].title && row.includes("?")), name);
         else if (!name.startsWith("course-")) assert.ok(lines.includes(`${title} ?`), name);
       }
-      // What was withheld is shown again.
+      // Read-outs that were withheld show their values again.
       assert.deepEqual(asked({ views, snapshot }, []), []);
       for (const name of names) assert.ok(!outputs.get(`out-${name}`).textContent.startsWith("?"), name);
     }
@@ -149,7 +149,7 @@ test("whatever a lecturer may ask for is hidden by a read-out of its own, except
     for (const quantity of quantities(shown.snapshot)) {
       const withheld = secrets({ quantity, within: 0 });
       if (quantity === "input") assert.deepEqual(withheld, []);
-      // The table of values has not all quantities that are read.
+      // The table of values does not list every quantity.
       else if (shown.views.render(shown.snapshot).shown.find(quantity)) assert.ok(asked(shown, withheld).includes(quantity), `${id} ${quantity}`);
       else if (quantity.includes(":")) assert.ok(asked(shown, withheld).length > 0, `${id} ${quantity}`);
     }

@@ -22,7 +22,7 @@ const MOMENT = 150;
 /** @template {Needed} S */
 export class StatusLine {
   #list = byId("status", HTMLElement);
-  /** The end of the entries; those of other kinds of documents follow. */
+  /** Mark in the page after the entries; entries of other kinds of documents follow it. */
   #end = document.createTextNode("");
   /** @type {{ item: Item<S>, said: Said | null }[]} */
   #entries;
@@ -80,7 +80,7 @@ export class StatusLine {
       return html`<div class="entry ${tone}" data-of=${this.#kind} ?hidden=${text === ""}><dt>${title}</dt> <dd id=${cell.id} data-value=${cell.value ?? nothing} data-asked=${cell.asked ?? nothing}>${(!cell.asked && marked) || readoutText(cell)}</dd> </div>`;
     });
     render(entries, this.#list, { renderBefore: this.#end });
-    // Late entries may come after a document of another kind.
+    // When late entries are written, a document of another kind may already be shown.
     if (this.#page.model.kind === this.#kind) this.#page.shown.put("status", rows);
   }
 }

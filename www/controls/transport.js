@@ -39,7 +39,7 @@ export class Transport {
   #start = 0;
   /** @type {[number, number][] | null} parts of the axis, from 0 to 1, in which the linkage can be assembled; null for the whole axis */
   #arcs = null;
-  /** Speeds to choose from; one that the page once had, such as a speed from a URL, stays among them. */
+  /** Speeds to choose from, with every other speed that the page has had, for example from an address. */
   #speeds = new Set(SPEEDS);
   #lang = "";
 
