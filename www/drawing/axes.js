@@ -1,4 +1,4 @@
-// Axes of the paper with numbers, painted under the drawing while one draws.
+// Axes of the paper with numbers, painted under the drawing while the reader draws.
 import { side } from "assur/stage/paper.js";
 
 /**
@@ -16,13 +16,13 @@ const ROOM = 12;
 const STRIDES = Object.freeze([1, 2, 5, 10]);
 
 /**
- * The places of the numbers on an axis.
+ * Finds the places of the numbers on an axis.
  * @param {number} scale pixels per unit of length
  * @param {number} origin pixel of the zero
- * @param {number} from first pixel that is seen
+ * @param {number} from first visible pixel
  * @param {number} to last pixel
  * @param {number} widest width of the widest number, in pixels
- * @returns {{ value: number, at: number }[]} `at`: pixels; values grow with them
+ * @returns {{ value: number, at: number }[]} `at`: pixel; both ascend
  */
 export function numbered(scale, origin, from, to, widest) {
   const square = side(scale);

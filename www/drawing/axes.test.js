@@ -1,4 +1,4 @@
-// Numbers on the axes of the paper.
+// Tests of the numbers on the axes of the paper.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { numbered } from "assur/drawing/axes.js";

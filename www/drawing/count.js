@@ -1,4 +1,4 @@
-// The count of the mobility in numbers, written before W in the status line while one draws.
+// Chebyshev's formula for the mobility with its numbers, written before W in the status line while the reader draws.
 import { byId, make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 
@@ -28,7 +28,7 @@ export class Count {
   #formulas = MOBILITIES.map(() => "");
 
   constructor() {
-    // The entries of a kind of document come with its first document.
+    // The status line gets the entries of a kind of document with the first document of this kind.
     new MutationObserver(() => this.#write()).observe(byId("status", HTMLElement), { childList: true });
   }
 
@@ -39,7 +39,7 @@ export class Count {
   render({ summary, words, withheld }, on) {
     if (this.#seen.same(summary, words, withheld, on)) return;
     const counts = on && "counts" in summary && summary.counts && "by_count" in summary.counts ? summary.counts : null;
-    // A lesson that asks for W does not have it counted.
+    // If a lesson asks for W, the formula is hidden.
     this.#formulas = MOBILITIES.map((name) => (counts && !withheld.has(name) ? counted(counts, words.numbers) : ""));
     this.#write();
   }

@@ -1,4 +1,4 @@
-// The count of the mobility in numbers, of a drawing and of a linkage.
+// Tests of Chebyshev's formula with its numbers, for a drawing and for a linkage.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { counted } from "assur/drawing/count.js";

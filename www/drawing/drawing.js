@@ -28,7 +28,7 @@ const PASTE_OFFSET = 4;
 /** Distance of numbers and texts from the edges of the drawing, in pixels. */
 const EDGE = 8;
 
-/** The symbol unit on the screen: this part of the shorter side of the drawing, but not less or more than these pixels. */
+/** Symbol unit on the screen: the shorter side of the drawing divided by `SYMBOLS`, within the limits `SYMBOL`, in pixels. */
 const SYMBOLS = 130;
 const SYMBOL = Object.freeze([3.6, 4.6]);
 
@@ -89,7 +89,7 @@ export class Drawing {
     this.#work.follow();
     this.#palette.render(snapshot);
     this.#rail.render(snapshot, document);
-    // The drawing was painted before its tools were there.
+    // The drawing was painted before the tools were shown.
     if (turned) this.#page.mechanism.repaint();
   }
 
@@ -97,7 +97,7 @@ export class Drawing {
   #turn(on) {
     const { pointer, mechanism } = this.#page;
     this.#on = on;
-    // The style sheet keeps the size of the stage from now on, whatever the drawing does.
+    // With this attribute, the style sheet keeps the size of the stage, whatever the drawing shows.
     setData(document.documentElement, "drawing", String(on));
     this.#palette.element.hidden = !on;
     this.#rail.show(on);

@@ -63,7 +63,7 @@ export function step(page, wanted) {
 }
 
 /**
- * Shows the reason for a refusal, or what a press did unasked, until the next edit.
+ * Shows the reason for a refusal, or a message about the effect of a press, until the next edit.
  * @param {Page} page
  * @param {string} code of a problem
  * @param {Readonly<Record<string, string>>} [parameters] of its sentence
@@ -79,7 +79,7 @@ export function unsay(page) {
 }
 
 /**
- * Takes the reason of a refusal back after some seconds.
+ * Removes a message after some seconds.
  * @param {Page} page
  */
 export function unsayLater(page) {

@@ -1,4 +1,4 @@
-// Drawings that are edited: by chance, undone and redone, kept in addresses; what is selected.
+// Tests of edits of a drawing: random edits with undo, redo and addresses, and the selection.
 import assert from "node:assert/strict";
 import test from "node:test";
 import "assur/tests/canvas.js";
@@ -30,7 +30,7 @@ function fourBar(page) {
 /**
  * @param {import("assur/tests/random.js").Dice} dice
  * @param {Page} page
- * @returns {object} an edit by chance of what is drawn
+ * @returns {object} a random edit of the drawing
  */
 function chance(dice, page) {
   const { document: { points, links, frame } } = page.store.get();
@@ -88,7 +88,7 @@ test("edits by chance: each is taken or refused with a reason, undone, redone, a
   often(4, (dice, run) => {
     const page = begin();
     if (run % 2 === 0) step(page, { edit: "drive", link: fourBar(page).crank });
-    // Where the driver stands goes with no step.
+    // The input belongs to no undo step.
     const shown = () => JSON.stringify([page.store.get().kind, page.store.get().document]);
     kinds.add(page.store.get().kind);
     const states = [shown()];
@@ -132,12 +132,12 @@ test("a drawing becomes a linkage when it moves, and a drawing again when it doe
   const { crank } = fourBar(page);
   step(page, { edit: "drive", link: crank });
   assert.equal(page.store.get().kind, "draft");
-  // A loose bar was in its way.
+  // Without the loose bar, the drawing moves.
   step(page, { edit: "remove", points: loose.points, links: [loose.name] });
   assert.equal(page.store.get().kind, "linkage");
   const { summary, problems } = page.now();
   assert.deepEqual([summary.moves, problems], ["angle", []]);
-  // It is drawn where it is: the driver stands there.
+  // The input is that of the drawn pose.
   assert.ok(Math.abs(page.store.get().view.phi_deg - 90) < 1e-9);
   step(page, { edit: "remove", points: [], links: [crank] });
   assert.equal(page.store.get().kind, "draft");

@@ -97,7 +97,7 @@ export class Hand {
    * @param {Pressed} event
    */
   press(at, event) {
-    // A message about the press before leaves.
+    // Removes the message about the previous press.
     unsay(this.#page);
     const target = this.#target(at, event);
     if (this.#work.tool === "select") this.#selection.choose(target.point, target.link, event.shiftKey);

@@ -1,5 +1,5 @@
-// The drawing tools as buttons over the drawing, and the prompt of the tool in use. Five tools draw most mechanisms and are
-// always in sight; the others are in a menu beside them.
+// The drawing tools as buttons over the drawing, and the prompt of the tool in use. Five tools draw most mechanisms and are always
+// visible; the others are in a menu beside them.
 import { numberField } from "assur/controls/number-box.js";
 import { byId, make, makeSvg, write } from "assur/core/dom.js";
 import { PictureOptions } from "assur/drawing/picture-options.js";
@@ -10,10 +10,10 @@ import { Seen } from "assur/core/seen.js";
 /** Distance of the buttons in the corner from the edge of the drawing, in pixels. */
 const CORNER = 10;
 
-/** Tools that are always in sight. */
+/** Tools that are always visible. */
 const MAIN = Object.freeze(["select", "bars", "slide", "fix", "drive"]);
 
-/** Picture of the menu, while no tool of the menu is in use. */
+/** Icon of the menu's button, as an SVG path, while no tool of the menu is in use. */
 const DOTS = "M6 12h.01M12 12h.01M18 12h.01";
 
 export class Palette {
@@ -77,7 +77,7 @@ export class Palette {
     page.words.fill(this.element);
   }
 
-  /** @returns {import("assur/stage/view.js").Insets} what tools and prompt cover at the top, and the buttons in the corner at the bottom */
+  /** @returns {import("assur/stage/view.js").Insets} heights that the tools with their prompt cover at the top, and the buttons in the corner at the bottom */
   get insets() {
     const { offsetTop, offsetHeight } = this.element;
     if (offsetHeight === 0) return { top: 0, bottom: 0 };
@@ -87,7 +87,7 @@ export class Palette {
 
   /**
    * @param {import("assur/drawing/tools.js").Tool} tool
-   * @param {boolean} isMain whether it has the short name of a tool that is always in sight
+   * @param {boolean} isMain whether the tool is always visible, and so has a short name
    */
   #button({ name, icon, key }, isMain) {
     const button = make("button", {
@@ -138,10 +138,10 @@ export class Palette {
     this.pictures.render(tool === "picture", words);
     if (this.#shown.same(words, tool, stage, dyad, state.document)) return;
     for (const [name, button] of this.#buttons) button.setAttribute("aria-pressed", String(name === tool));
-    // The menu shows its tool that is in use.
+    // The button of the menu shows the tool in use if that tool is in the menu.
     const inMenu = TOOLS.find(({ name }) => name === tool && !MAIN.includes(name));
     this.#more.setAttribute("aria-pressed", String(inMenu !== undefined));
-    // On a narrow page there is room for its icon only.
+    // On a narrow page, it shows only the icon of that tool.
     const texts = inMenu ? [make("span", { class: "draw-wide" }, [words.text(`draw.tool.${inMenu.name}`)]), make("span", { class: "draw-narrow" }, [words.text("draw.more")])] : [make("span", {}, [words.text("draw.more")])];
     this.#more.replaceChildren(picture(inMenu?.icon ?? DOTS), ...texts);
     this.#dyads.hidden = tool !== "dyad";

@@ -1,4 +1,4 @@
-// Text beside the pointer while one draws: its coordinates, and length and angle of the link that is stretched.
+// Text beside the pointer while the reader draws: its coordinates, and the length and angle of the link being drawn.
 import { degrees } from "assur/core/angles.js";
 
 /**
@@ -6,15 +6,15 @@ import { degrees } from "assur/core/angles.js";
  * @typedef {import("assur/core/words.js").Words} Words
  */
 
-/** `AWAY`: from the pointer to the text. `PAD`: around the text. `SIZE`: height of the text. In pixels. */
+/** `AWAY`: distance of the text from the pointer. `PAD`: space around the text. `SIZE`: height of the text. In pixels. */
 const AWAY = 16;
 const PAD = 5;
 const SIZE = 13;
 
 /**
  * @param {Point} at place of the pointer, on the grid
- * @param {Point | null} from where a link or a guide begins
- * @param {boolean} isLink whether it has a length
+ * @param {Point | null} from start of the link or guide being drawn
+ * @param {boolean} isLink whether a link is drawn, which has a length; a guide has none
  * @param {Words} words
  * @returns {string[]} lines of text
  */
@@ -30,7 +30,7 @@ export function pointerText([x, y], from, isLink, words) {
 }
 
 /**
- * Paints the lines beside a pixel, on the side with room.
+ * Paints lines of text beside a pixel, on the side with room.
  * @param {CanvasRenderingContext2D} context
  * @param {readonly string[]} lines
  * @param {readonly [number, number]} pixel

@@ -1,4 +1,4 @@
-// Text beside the pointer.
+// Tests of the text beside the pointer.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { pointerText } from "assur/drawing/pointer-text.js";

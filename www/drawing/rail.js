@@ -173,7 +173,7 @@ export class DrawingRail {
   #name(name, words) {
     const { points, links } = this.#selection;
     const input = make("input", { id: "draw-name", class: "control", type: "text", maxlength: "40", autocomplete: "off", spellcheck: "false", "data-t-label": "draw.name" });
-    // A name of the catalogue stands in the reader's language, and stays as it is until another one is typed.
+    // A link of the catalogue is shown by its word in the reader's language. Its own name stays until another one is typed.
     const shown = links.has(name) ? called(name, words) : name;
     input.value = shown;
     input.addEventListener("change", () => {
@@ -228,7 +228,7 @@ export class DrawingRail {
   }
 
   /**
-   * Name and field of a number of the selection.
+   * Makes the name and the field of a number of the selection.
    * @param {string} what
    * @param {Words} words
    * @param {() => number} value

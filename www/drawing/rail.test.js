@@ -1,4 +1,4 @@
-// Numbers typed into the panel beside a drawing.
+// Tests of the panel beside a drawing: numbers and names typed into it, and its reasons.
 import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
@@ -8,7 +8,7 @@ import { initialState, withDocument, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { wordsOf } from "assur/tests/words.js";
 
-/** The rail of a drawing with a traced point selected; `type` writes into one of its fields. */
+/** Makes the panel of a drawing with a selected traced point; `type` writes into one of its fields. */
 function begin(view = {}) {
   const page = new Page("crank-rocker", view);
   page.store.update((state) => withDocument(state, { tracers: [{ name: "P1", link: "coupler", at: [1, 0.5] }] }));

@@ -42,21 +42,20 @@ export const TOOLS = Object.freeze([
 /** State that the tools share, and the edits that they make. */
 export class Work {
   #page;
-  /** The tool in use. */
+  /** Name of the tool in use. */
   tool = "select";
-  /** The dyad to add. */
+  /** Pairs of the dyad to add. */
   dyad = DYADS[0];
   /** Numbers of teeth of wheels to be meshed. */
   teeth = /** @type {[number, number]} */ ([20, 40]);
   internal = false;
-  /** The picture behind the drawing. */
   picture;
   /** @type {Target[]} presses not yet used */
   pressed = [];
   #loose = false;
-  /** @type {WeakMap<object, Chain>} chains by the drawings after their presses: undo and redo lead back to them */
+  /** @type {WeakMap<object, Chain>} chains by the drawings that their presses made, to which undo and redo return */
   #chains = new WeakMap();
-  /** The drawing of which `pressed` is known to be true. */
+  /** Drawing for which `pressed` is valid. */
   #known = {};
 
   /** @param {import("assur/app/page.js").Page} page */
@@ -92,8 +91,8 @@ export class Work {
   }
 
   /**
-   * Follows the drawing where something else has changed it: after undo and redo, bars go on from the last point that
-   * the drawing then has. Presses on points that are gone are forgotten.
+   * Adapts the presses to a drawing that was not changed by a press: after undo and redo, bars go on from the last point
+   * that the drawing then has. Presses on points that no longer exist are forgotten.
    */
   follow() {
     const document = this.#document;
@@ -128,12 +127,12 @@ export class Work {
   }
 
   /**
-   * Says that a new end lies on a link, which the press may only have passed over.
+   * Shows the message that a new end lies on a link, because the press may have hit the link by accident.
    * @param {Target} target
    * @param {string | null | undefined} made name of the new end
    */
   #tell({ point, link }, made) {
-    // The link may be called by its points, and so have another name now. Bars made with the end come after it.
+    // The link may be named after its points, so its name may have changed. Bars made with the end come after the link.
     const name = made && this.#document.links.find(({ points }) => points.includes(made))?.name;
     if (!point && link && name) refuse(this.#page, "on_link", { point: made, link: name });
   }

@@ -1,4 +1,4 @@
-// Presses of the tools: chains that go on after undo; ends on the paper; messages that leave.
+// Tests of presses with the drawing tools: bars that go on after undo, ends on the paper and on links, messages that disappear.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { refuse, unsay, unsayLater } from "assur/drawing/edit.js";
