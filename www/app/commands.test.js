@@ -1,4 +1,4 @@
-// What keys and buttons do to the state, without a page around it.
+// Tests of the commands of keys and buttons, without the elements of the page.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -129,7 +129,7 @@ test("reset of a mechanism goes back to that of its own origin, of one that has 
   all.reset();
   assert.deepEqual(page.store.get().document, own);
   assert.equal(origin, "jansen");
-  // The mixer that was there last is remembered.
+  // The mixer shown last is remembered.
   const mixer = page.engine.catalogue.preset("mixer-b");
   page.choose(mixer.kind, { ...mixer.document, l1: 0.31 });
   all.reset();

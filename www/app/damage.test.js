@@ -1,4 +1,4 @@
-// Damaged addresses and files: each is a sentence that names what is wrong, or is still a state, and is that state.
+// Tests of damaged addresses and files: each either is refused with a sentence that names the damage, or opens as the state that it still is.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { lineOf } from "assur/app/notices.js";
@@ -19,7 +19,7 @@ const EACH = 34;
 
 const prototypes = () => [Object, Array, Function, String].map(({ prototype }) => Reflect.ownKeys(prototype).length).join();
 
-/** What the address bar of a browser makes of what follows a #. */
+/** The address as a browser returns it, given the part after the #. */
 function barred(hash) {
   const url = new URL("https://assur.test/");
   url.hash = hash;
@@ -27,9 +27,9 @@ function barred(hash) {
 }
 
 /**
- * What the engine says of what an input holds.
- * @param {unknown} value undefined where nothing can be made out
- * @param {string} [text] of the file that it is from
+ * Reads the content of an input by the engine.
+ * @param {unknown} value undefined if the input cannot be parsed
+ * @param {string} [text] text of the file; undefined for an address
  */
 function judged(value, text) {
   if (text === undefined && (value === undefined || depth(value) > 12)) return { value: null, problems: [{ code: "unreadable_link" }] };
@@ -56,7 +56,7 @@ function read(text) {
  * @param {string} input
  * @param {import("assur/app/opening.js").Taken} taken
  * @param {ReturnType<typeof judged>} expected
- * @param {string} named what the sentence has to name
+ * @param {string} named text that the sentence must contain
  */
 function check(input, { state, failure }, expected, named) {
   const brief = `${input.slice(0, 600)}\n${JSON.stringify(failure)}`;
@@ -74,11 +74,11 @@ function check(input, { state, failure }, expected, named) {
   assert.deepEqual(failure.problems, expected.problems, brief);
   for (const [i, one] of words.entries()) {
     const said = lineOf(failure, one);
-    // A text of the input may have braces of its own; those of the table are filled in.
+    // No placeholder of the sentence is left. Braces in a text of the input are not placeholders.
     assert.ok(said.length > 40 && !/\{\w+\}/.test(said) && !/(problem|notice|field)\.\w/.test(said), `${said}: ${brief}`);
     if (i === 0) assert.ok(said.includes(named), `${said}: ${brief}`);
     for (const { code, path } of failure.problems) {
-      // The one value without its form is named by its path.
+      // A value of the wrong form is named by its path.
       if (code === "bad_state" && /^[^.]+\.[^.]/.test(path)) assert.ok(said.includes(path), `${path}: ${said}`);
     }
   }

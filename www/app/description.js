@@ -144,7 +144,7 @@ function drawing(snapshot) {
 }
 
 /**
- * Limit positions, dead points and change points at the current input.
+ * Texts on the limit position, dead point and change point at the current input, if there are any.
  * @param {Snapshot} snapshot
  */
 function positions({ summary, coordinate, input, words }) {

@@ -1,4 +1,4 @@
-// Sentences for screen readers when the page goes on to another mechanism or another language.
+// Tests of the sentences for screen readers after a change of the mechanism or the language.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Description } from "assur/app/description.js";
@@ -10,7 +10,7 @@ globalThis.HTMLElement = class HTMLElement {
   textContent = "";
 };
 
-/** A page at rest, and all that it says to who does not see it. */
+/** Page at rest, with the texts that it has for screen readers. */
 function begin(t) {
   const elements = new Map();
   globalThis.document = { getElementById: (id) => elements.get(id) ?? elements.set(id, new HTMLElement()).get(id) };

@@ -48,7 +48,7 @@ export class Header {
     if (open) setData(app, "railColumn", "open");
   }
 
-  /** Closes the menu and folds the rail. */
+  /** Closes the menu and the further controls of the bottom bar, and folds the rail. */
   close() {
     this.fold(false);
     this.#closeMenu();

@@ -1,4 +1,4 @@
-// What other programs made: links of PMKS+ and files of Linkage, whole and damaged. What is in them the tests of assur-import say.
+// Tests of links of PMKS+ and files of Linkage, whole and damaged. The tests of assur-import test the content of the results.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";

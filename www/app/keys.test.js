@@ -1,10 +1,10 @@
-// The table of keys: the command of each key, the elements that keep a key for themselves, and the entries in the help.
+// Tests of the table of keys: the command of each key, the elements that use a key themselves, and the entries in the help.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { happen } from "assur/tests/window.js";
 import { wordsOf, LANGUAGES } from "assur/tests/words.js";
 
-// Elements, as far as keys ask for them.
+// Stand-ins for the elements that the key handler uses.
 globalThis.Element = class Element {
   attributes = {};
   append() {}
@@ -34,7 +34,7 @@ listen(Object.fromEntries(KEYS.map(({ command }) => [command, () => done.push(co
 /**
  * @param {string} key
  * @param {object} [more] of the event
- * @returns {string} what it did
+ * @returns {string} the commands that the key ran
  */
 function press(key, more = {}) {
   done.length = 0;
@@ -63,7 +63,7 @@ test("every key does what it says", () => {
 test("a letter is that of its place where the layout has none of the Latin alphabet", () => {
   for (const [key, code, command] of [["к", "KeyR", "reverse"], ["я", "KeyZ", ""], ["Л", "KeyL", "lesson"], ["ү", "KeyG", "gallery"]]) assert.equal(press(key, { code }), command, key);
   assert.equal(press("я", { code: "KeyZ", ...control }), "undo");
-  // Of a layout with Latin letters it is the letter, wherever it stands.
+  // On a layout with Latin letters, the letter counts, not its position.
   assert.equal(press("z", { code: "KeyY" }), "");
 });
 

@@ -1,4 +1,4 @@
-// The language that was chosen: kept by itself, for addresses that say nothing of a language.
+// Tests of the language that the reader chooses, which the browser stores apart from the state.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { chooseLanguage, chosenLanguage } from "assur/app/language.js";
@@ -20,7 +20,7 @@ globalThis.HTMLSelectElement = class HTMLSelectElement extends Node {
  * @param {string} lang
  * @param {object} habits of the page
  * @param {(of: string) => Promise<Words>} load
- * @returns {Promise<Page>} once its words have come, or not
+ * @returns {Promise<Page>} resolves after the words have loaded or failed to load
  */
 async function choose(t, lang, habits, load = async (/** @type {string} */ of) => wordsOf(of)) {
   kept.clear();
@@ -28,7 +28,7 @@ async function choose(t, lang, habits, load = async (/** @type {string} */ of) =
   const select = new HTMLSelectElement();
   globalThis.document = { getElementById: () => select, createElement: () => ({ setAttribute() {}, append() {} }) };
   const page = Object.assign(new Page("mixer-a"), { habits, setLanguage() {} });
-  // What the state says by itself, as that of a link, is no choice.
+  // The language of a state, for example from a link, is not a choice of the reader.
   chooseLanguage(page);
   assert.deepEqual([select.value, kept.size], ["en", 0]);
   select.value = lang;
@@ -56,7 +56,7 @@ test("without a network the page goes on in the language it speaks, and keeps no
     return wordsOf(lang);
   });
   const select = document.getElementById("lang");
-  // Another choice while the one before is on its way.
+  // The reader chooses again while the words of the first choice are loading.
   for (const lang of ["ru", "uk"]) {
     select.value = lang;
     select.dispatchEvent(new Event("change"));

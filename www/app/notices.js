@@ -1,4 +1,4 @@
-// Notices on shared URLs, files and parts of the page: sentences shown until the reader closes them; what was done, some seconds.
+// Notices on shared URLs, files and parts of the page. A failure stays until the reader closes it, a success only some seconds.
 import { lossOf, sentence } from "assur/controls/problems.js";
 import { byId } from "assur/core/dom.js";
 import { html, render } from "assur/core/html.js";
@@ -32,7 +32,7 @@ export const UNKEPT = Object.freeze({
   tab: [{ kind: "store", problems: [{ code: "other_tab" }] }],
 });
 
-/** Time for which a notice of what was done is shown, in milliseconds. A notice of a failure stays until it is closed. */
+/** Time for which a notice of success is shown, in milliseconds. A notice of a failure stays until it is closed. */
 const DONE_PERIOD = 10_000;
 
 export class Notices {

@@ -15,7 +15,7 @@ const habits = { calm: false, lang: "en" };
 const HOME = "https://assur.test/";
 const LINKS = readFileSync(new URL("../../tests/links.txt", import.meta.url), "utf8").split("\n").filter((line) => line !== "" && !line.startsWith("# "));
 
-/** What the browser keeps, and the address that it shows. */
+/** Stand-in for the storage of the browser. */
 const kept = new Map();
 globalThis.localStorage = { getItem: (key) => kept.get(key) ?? null, setItem: (key, text) => kept.set(key, text), removeItem: (key) => kept.delete(key) };
 
@@ -127,7 +127,7 @@ test("a picture that was kept comes back behind the very same drawing, and behin
   assert.equal((await begin(`${HOME}#jansen`)).state.picture?.image, image);
   assert.equal((await begin()).state.picture?.image, image);
   assert.equal((await begin(`${HOME}#whitworth`)).state.picture, undefined);
-  // Another image than the one that was meant, as of another tab.
+  // The stored image is not the one that belongs to the state, for example because another tab has stored its own.
   kept.set("assur.image", image.replace("A", "B").slice(1));
   for (const address of [HOME, `${HOME}#jansen`]) {
     const { state: found, failures } = await begin(address);
@@ -200,7 +200,7 @@ test("a link that was damaged by hand or by a program is a sentence", async () =
   const all = Array.from({ length: 15 }, (_, i) => good.slice(0, Math.floor(((i + 1) * (good.length - 40)) / 16)));
   for (const pair of good.split("&").slice(1)) {
     const [key] = pair.split("=");
-    // Any text may name a language.
+    // Any text is accepted as a language, so this field gets an object instead.
     for (const bad of [`${key}=${key === "v.lang" ? "{}" : markup}`, `${key}=[[null]]`, key]) all.push(good.replace(pair, bad));
   }
   for (const [from, to] of [

@@ -1,4 +1,4 @@
-// Pacing of the views other than the drawing while a hand changes the mechanism, so that the drawing follows the hand.
+// Pacing of the views other than the drawing while a pointer or key changes the mechanism, so that the drawing keeps up with the pointer.
 import { whenReleased } from "assur/core/released.js";
 
 /** Least pause after a write, as a multiple of the time that the write took. */

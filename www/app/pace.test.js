@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { happen } from "assur/tests/window.js";
 
-// Frames come when they are asked for, at a time that the test says.
+// The test calls the requested frame, at a time that it sets.
 let now = 0;
 let due = null;
 globalThis.document = Object.assign(new EventTarget(), { hidden: false });
@@ -26,13 +26,13 @@ test("frames follow as long as there is motion, and time is that between two of 
   loop.request();
   for (const seconds of [1, 0.016, 0.02]) frame(seconds);
   assert.deepEqual([steps.map((dt) => Math.round(dt * 1e3)), drawn], [[0, 16, 20], 3]);
-  // A pause is no leap.
+  // After a long pause, the step has its greatest length.
   frame(7);
   assert.equal(steps.at(-1), 0.1);
   moving = false;
   frame(0.016);
   assert.equal(due, null);
-  // After a rest time begins anew.
+  // After a rest, the first step has no length.
   moving = true;
   loop.request();
   frame(5);

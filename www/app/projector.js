@@ -1,4 +1,4 @@
-// Projector mode. It is kept by itself, so that a reload and the links that are opened in class stay in it.
+// Projector mode. The browser stores it apart from the state, so that it stays on after a reload and in links that are opened in class.
 import { withView } from "assur/state/state.js";
 import { keep, kept } from "assur/state/storage.js";
 

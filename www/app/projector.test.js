@@ -1,4 +1,4 @@
-// Projector mode: kept by itself, for addresses that say nothing of it or turn it off.
+// Tests of projector mode, which the browser stores apart from the state.
 import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
 import { open, takeAddress } from "assur/app/opening.js";

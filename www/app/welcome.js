@@ -36,7 +36,7 @@ export function welcome(page, commands) {
       act();
     });
   }
-  // Motion and language change by themselves or by a choice that is no action on the mechanism.
+  // Other changes do not close the line: the input changes by itself, and the choice of a language is no action on the mechanism.
   const unsubscribe = store.subscribe(({ document, view }, previous) => {
     if (document !== previous.document || view.playing !== previous.view.playing || view.lesson !== previous.view.lesson || view.drawing !== previous.view.drawing) close();
   });
