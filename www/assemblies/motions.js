@@ -134,7 +134,7 @@ export class Motions {
     }
     if (belonging && current) this.#belonging = belonging;
     if (current && (map || belonging)) this.lost = false;
-    // A worker that breaks off does not say for which linkage it was at work.
+    // The answer of a broken worker may lack the revision.
     if (lost && (current || broken)) this.lost = true;
     if (lost && current) this.map = null;
     if (broken) {

@@ -1,4 +1,4 @@
-// All motions, with the worker that finds them.
+// Tests of the search for all motions, with its worker.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test, { afterEach } from "node:test";
@@ -11,14 +11,14 @@ import { Worker, endWorkers, fetchFile } from "assur/tests/worker.js";
 const engine = newEngine();
 const [rocker, class4] = ["crank-rocker", "class4-dwell"].map((id) => withoutExtras(stateOf(engine, id)));
 
-/** A worker that never answers is a failure; in milliseconds. */
+/** Time limit for the answers of a worker, in milliseconds. */
 const PATIENCE = Object.freeze({ timeout: 60_000 });
 
 globalThis.Worker = Worker;
 globalThis.fetch = fetchFile;
 afterEach(endWorkers);
 
-/** All motions, and a promise of the next time that something was found. */
+/** All motions, and a function that waits for answers of the worker until a condition holds. */
 function begin() {
   const waiting = [];
   const motions = new Motions(() => waiting.splice(0).forEach((done) => done()));
@@ -28,7 +28,7 @@ function begin() {
   return { motions, until };
 }
 
-// The first of all: what has arrived once is not asked for again.
+// This test must be the first: once the engine has loaded, it is not requested again.
 test("where the engine does not arrive the map is lost, and the next linkage gets another worker", PATIENCE, async (t) => {
   const { motions, until } = begin();
   const down = t.mock.method(globalThis, "fetch", async () => {
@@ -65,9 +65,9 @@ test("the map of a linkage is found, and where its assemblies belong", PATIENCE,
   motions.at(1, 0);
   await until(() => motions.branch !== null);
   assert.ok([0, 1].includes(motions.branch), String(motions.branch));
-  // Of its own branch nothing is passed, to another circuit nothing leads.
+  // Assemblies on the same branch are reached without a fold; those of another circuit are never reached.
   assert.deepEqual(motions.reached(1, 0), [[], null]);
-  // In motion the branch stays, but the assemblies may have other numbers.
+  // At another input the assemblies may have other numbers, so nothing is known about them.
   assert.deepEqual([motions.reached(1.1, 0), motions.reached(1, 1)], [null, null]);
 });
 
@@ -125,7 +125,7 @@ test("after a break at an input the next one is answered, by a worker of its own
   const { motions, until } = begin();
   motions.of(1, rocker);
   await until(() => motions.current);
-  // No number of the engine: its call throws, as one that trapped does.
+  // A BigInt is not an input of the engine: the call throws, as it does after a trap.
   motions.at(2n, 0);
   await until(() => motions.lost);
   assert.equal(Worker.running.size, 0);
