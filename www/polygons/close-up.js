@@ -26,7 +26,7 @@ const APART = 3;
  * @param {Picture} whole picture of the whole polygon, of which `picture` shows the first steps
  * @param {{ width: number, height: number }} size of the box, in pixels
  * @param {number} margin free room for the names, in pixels
- * @returns `view`; `list`: the display list without the engine's scale bar; `bar`: what the scale bar stands for
+ * @returns `view`; `list`: the display list without the engine's scale bar; `bar`: value for which the scale bar stands
  */
 export function closeUp(picture, whole, { width, height }, margin) {
   const dots = circles(whole.list);

@@ -1,4 +1,4 @@
-// A polygon at rest: it fills its box, its scale bar is true, its names are not on its lines.
+// Tests of a polygon at rest: it fills its box, its scale bar has the right length, and its names keep off its lines.
 import assert from "node:assert/strict";
 import test from "node:test";
 import "assur/tests/canvas.js";
@@ -25,7 +25,7 @@ test("a polygon at rest is larger than in motion, within its box, and its scale 
     const layers = readDisplayList(Float32Array.from(list), 0, page.engine.roles, picture.names, () => new Path2D());
     const points = labelledPoints(layers, view, POSES);
     for (const { x, y } of points) assert.ok(x > 20 && x < SIZE.width - 20 && y > 20 && y < SIZE.height - 20, `${x} ${y}`);
-    // The distance of c from the pole is the analogue of C, and the bar a round length of the same scale.
+    // The distance of c from the pole is the analogue of velocity or acceleration of C. The bar is a round length to the same scale.
     const labels = layers.flatMap((layer) => layer.labels.map(({ label }) => label));
     const [pole, c] = [labels.findIndex((label) => /^[pπ]$/.test(label)), labels.findIndex((label) => label.startsWith("c"))];
     const off = Math.hypot(points[c].x - points[pole].x, points[c].y - points[pole].y) / view.scale;
