@@ -26,7 +26,7 @@ const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {string} name first part of the file names
  * @param {() => string} title gives a description of the picture
- * @param {HTMLElement} said says what came of it
+ * @param {HTMLElement} said element for the result: the name of the written file, the reason for a failure, or a note that the work was cancelled
  * @returns {{ rows: (Node | string)[], working: HTMLElement, stop: () => void }} `working`: progress, shown while a file is written
  */
 export function animations(page, theme, name, title, said) {

@@ -1,4 +1,4 @@
-// The drawing with the plots beside it.
+// Tests of the drawing with the plots beside it.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";

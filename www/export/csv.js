@@ -74,7 +74,7 @@ export function toCsv(table, coordinate, choices, words) {
 /**
  * @param {readonly (readonly string[])[]} rows
  * @param {Words} words
- * @returns {Blob} the rows as a spreadsheet in the language of the words reads them
+ * @returns {Blob} the rows in the form that a spreadsheet in the language of the words reads
  */
 export function rowsAsCsv(rows, { numbers }) {
   return fileOf(rows.map((cells) => lineOf(cells, numbers.comma ? ";" : ",")));

@@ -50,7 +50,7 @@ test("the table of the mixer has the golden numbers", async () => {
       if (order > 0) near(csv.value(at, `wheel5.${d}angle`), -2 * csv.value(at, `rocker.${d}angle`), 1e-14, "wheel 5");
     }
   }
-  // The angle is unwrapped; the joints stand where the lengths have them.
+  // The angle goes on to a full turn; the joints have the distances that the lengths give.
   near(csv.value(360, "crank.angle"), TURN, 1e-15, "a turn");
   assert.equal(csv.value(123, "crank.dangle"), 1);
   assert.equal(csv.value(123, "D.x"), 0.85);
@@ -113,7 +113,7 @@ test("degrees, commas and words are as the reader chooses", async () => {
   const radians = await readCsv(write(state, { steps: 360 }));
   const degrees = await readCsv(write(state, { steps: 360, comma: true, degrees: true, dimensions: false }));
   assert.deepEqual(degrees.header.slice(0, 4), ["phi_deg", "crank.angle_deg", "crank.dangle_rad_per_rad", "crank.ddangle_rad_per_rad2"]);
-  // Analogues are those of the page: by a radian of the crank, whatever angles are in.
+  // Derivatives are as on the page: with respect to radians of the crank, whatever the unit of angles.
   for (const column of ["rocker.dangle", "rocker.ddangle", "C2.y", "C2.dy", "C2.ddy"]) {
     for (const row of [0, 75, 300]) assert.equal(degrees.cell(row, column), radians.cell(row, column), column);
   }
@@ -160,7 +160,7 @@ test("what is measured and what is plotted of a joint is in the table", async ()
       if (expected !== undefined) near(csv.value(62, `${of}.${"d".repeat(order)}${what}`), expected, 1e-12, idOf(name, order));
     }
   }
-  // From the places themselves.
+  // The expected distance is computed from the coordinates.
   const at = (point) => ["x", "y"].map((axis) => csv.value(62, `${point}.${axis}`));
   const [b, d] = [at("B"), at("D")];
   near(csv.value(62, "B-D.distance"), Math.hypot(b[0] - d[0], b[1] - d[1]), 1e-12, "distance");

@@ -1,10 +1,10 @@
-// GIFs, decoded again by the rules of the format.
+// Tests of GIF files, which are decoded by the rules of the format.
 import assert from "node:assert/strict";
 import test, { afterEach } from "node:test";
 import { Dice } from "assur/tests/random.js";
 import { Worker, endWorkers } from "assur/tests/worker.js";
 
-/** A worker that never answers is a failure; in milliseconds. */
+/** Time limit for the answers of a worker, in milliseconds. */
 const PATIENCE = Object.freeze({ timeout: 60_000 });
 
 afterEach(endWorkers);
@@ -14,7 +14,7 @@ afterEach(endWorkers);
  * @param {number} height
  * @param {number} delay
  * @param {readonly Uint8ClampedArray[]} pictures
- * @returns {Promise<{ file: Uint8Array, asked: number }>} the file, and how often it was asked to write
+ * @returns {Promise<{ file: Uint8Array, asked: number }>} the file, and the number of requests to write
  */
 async function write(width, height, delay, pictures) {
   const worker = new Worker(import.meta.resolve("assur/export/gif-worker.js"));
@@ -102,7 +102,7 @@ function decoded(file) {
       else {
         delays.push(data[1] | (data[2] << 8));
         through = data[0] & 1 ? data[3] : -1;
-        // What was there stays.
+        // Disposal 1: the previous picture stays.
         assert.equal((data[0] >> 2) & 7, 1);
       }
       continue;
@@ -156,7 +156,7 @@ test("pictures of noise, of any size, come back: the table of codes is begun ane
   const sizes = [[1, 1], [2, 100], [97, 89], [160, 120]];
   for (const [run, [width, height]] of sizes.entries()) {
     const dice = new Dice(run);
-    // Few enough colours, each in a bin of its own.
+    // Fewer colours than the table holds, each in a bin of its own.
     const palette = Array.from({ length: 200 }, (_, i) => [(i % 32) * 8, Math.floor(i / 32) * 8, 40]);
     const pictures = [0, 1].map(() => {
       const pixels = new Uint8ClampedArray(4 * width * height);
@@ -170,7 +170,7 @@ test("pictures of noise, of any size, come back: the table of codes is begun ane
 
 test("of more colours than a table has, the rare ones become the nearest", PATIENCE, async () => {
   const frequent = Array.from({ length: 255 }, (_, i) => [(i % 16) * 16, Math.floor(i / 16) * 16, 0]);
-  // Each stands twice, one that is rare once.
+  // Each frequent colour has two pixels, each rare one a single pixel.
   const all = [...frequent, ...frequent, [16, 32, 16], [250, 15, 40]];
   const pixels = Uint8ClampedArray.from(all.flatMap((colour) => [...colour, 255]));
   const { frames: [{ pixels: found }] } = decoded((await write(all.length, 1, 4, [pixels])).file);

@@ -1,4 +1,4 @@
-// Delays of the pictures of an animation.
+// Tests of the delays of the pictures of an animation.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { delayOf } from "assur/export/gif.js";

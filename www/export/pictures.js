@@ -1,4 +1,4 @@
-// Drawing and plots as separate pictures: what the screen shows, painted by the same code in the colours of light paper.
+// Drawing and plots as separate pictures: the content of the screen, painted by the same code in the colours of light paper.
 import { textWidth } from "assur/canvas/text-width.js";
 import { Theme } from "assur/canvas/theme.js";
 import { make } from "assur/core/dom.js";

@@ -48,7 +48,7 @@ export class SvgPath extends Path2D {
   }
 }
 
-/** A context, which is also the path that it builds, as in a canvas. */
+/** Context that writes SVG. Like the context of a canvas, it is also its own current path. */
 export class Svg extends SvgPath {
   fillStyle = "#000000";
   strokeStyle = "#000000";
@@ -227,7 +227,7 @@ export class Svg extends SvgPath {
   }
 
   /**
-   * Programs that show SVG agree on the alphabetic baseline only.
+   * Texts are placed by the alphabetic baseline, because it is the only one on which programs that show SVG agree.
    * @returns {number} distance of the alphabetic baseline below the baseline of the context
    */
   #drop() {

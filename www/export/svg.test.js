@@ -1,4 +1,4 @@
-// Pictures as SVG, and the moments of a motion that they show.
+// Tests of pictures as SVG, and of the moments of a motion.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Context, themeOf } from "assur/tests/canvas.js";
@@ -8,7 +8,7 @@ import { Figure } from "assur/stage/figure.js";
 import { withDocument, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 
-/** The canvas that measures texts and knows colours: #rrggbb, and rgba() of the same. */
+/** Stand-in for the canvas that measures texts and converts colours, which are given as #rrggbb or rgba(). */
 globalThis.OffscreenCanvas = class OffscreenCanvas {
   getContext() {
     return Object.assign(new Context(), {
@@ -22,7 +22,7 @@ globalThis.OffscreenCanvas = class OffscreenCanvas {
 };
 const { Svg, SvgPath } = await import("assur/export/svg.js");
 
-/** Elements of a picture, with what is in them. It has no more of XML than our pictures have. */
+/** Elements of a picture with their content. Reads only the parts of XML that the pictures use. */
 function elementsOf(text) {
   const found = [];
   const open = [];
@@ -147,11 +147,11 @@ test("the drawing as SVG has the roles' colours, the labels, and nothing that ru
   const labels = elements.filter(({ name, attributes }) => name === "text" && !attributes["aria-hidden"]).map(({ text }) => text);
   for (const label of ["A", "B", "C", "D", "4", "5", "φ₁ = 75.0°"]) assert.equal(labels.filter((text) => text === label).length, 1, `${label} in ${labels}`);
   const painted = (attribute, role) => elements.filter(({ name, attributes }) => name === "path" && attributes[attribute] === theme.colours[role]).length;
-  // A bar; the crank's has the path of B and the arc of φ₁ with its head beside it. The teeth of wheel 5 are one outline, filled and drawn.
+  // Coupler: one filled bar. Crank: a filled bar, and the arc of φ₁ with a filled head; the path of B has the colour of the crank, too.
   assert.deepEqual([painted("fill", "coupler"), painted("stroke", "coupler"), painted("fill", "crank"), painted("stroke", "crank")], [1, 0, 2, 2]);
 });
 
-/** Differences between numbers that follow each other. */
+/** Differences of consecutive numbers. */
 const steps = (list) => list.slice(1).map((value, i) => value - list[i]);
 
 test("the moments of a turn are equal steps from where it is, so that it goes on without a jump", () => {

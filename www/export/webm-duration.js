@@ -1,4 +1,4 @@
-// The duration in the header of a WebM. Browsers record as into a stream and leave it out, so that players cannot seek.
+// The duration in the header of a WebM file. Browsers omit it from recordings, and players then cannot seek.
 
 /** Identifiers of elements of EBML (RFC 8794) and of Matroska. */
 const SEGMENT = 0x18538067;
@@ -20,7 +20,7 @@ const LENGTH = 11;
 /**
  * @param {Uint8Array<ArrayBuffer>} file
  * @param {number} milliseconds
- * @returns {Uint8Array<ArrayBuffer>} the file with this duration; the file itself if it is not as browsers record it
+ * @returns {Uint8Array<ArrayBuffer>} the file with this duration; the unchanged file if it lacks the form of a recording by a browser
  */
 export function withDuration(file, milliseconds) {
   const segment = elements(file, 0, file.length).find(({ id }) => id === SEGMENT);
@@ -37,7 +37,7 @@ export function withDuration(file, milliseconds) {
   const size = kept.reduce((sum, part) => sum + part.length, 0) + LENGTH;
   const head = new DataView(new ArrayBuffer(4 + 8 + LENGTH));
   head.setUint32(0, INFO);
-  // A size of 8 bytes, the first of which says how many they are.
+  // The size is written in 8 bytes. The first byte marks this length.
   head.setBigUint64(4, (1n << 56n) | BigInt(size));
   head.setUint16(12, DURATION);
   head.setUint8(14, 0x88);
@@ -49,7 +49,7 @@ export function withDuration(file, milliseconds) {
  * @param {Uint8Array} file
  * @param {number} from
  * @param {number} to
- * @returns {Element[]} the elements between, as far as their sizes are known
+ * @returns {Element[]} the elements between `from` and `to`, up to the first one of unknown size
  */
 function elements(file, from, to) {
   /** @type {Element[]} */
@@ -68,7 +68,7 @@ function elements(file, from, to) {
 }
 
 /**
- * Reads a number whose first byte says by its leading zeros how long it is.
+ * Reads a number of variable length. The leading zero bits of its first byte give the length.
  * @param {Uint8Array} file
  * @param {number} at
  * @param {boolean} bare whether the bit that marks the length is left out, as in sizes

@@ -1,10 +1,10 @@
-// A film: the pictures that the browser is given to record.
+// Tests of the pictures that the browser records for an animation.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { toWebm } from "assur/export/webm.js";
 import { Page } from "assur/tests/page.js";
 
-/** What a canvas shows, and what was captured of it: what is on it as capturing begins, then each change. */
+/** Stand-in for a canvas. `shown`: its content. `captured`: its content when the recording begins, and after each change. */
 const canvas = {
   shown: [], captured: null,
   getContext: () => ({ setTransform() {} }),
@@ -23,7 +23,7 @@ globalThis.MediaRecorder = class MediaRecorder extends EventTarget {
   }
 };
 
-/** A page whose drawing notes what is painted. */
+/** Page whose drawing writes the painted inputs into the canvas. */
 function begin() {
   const page = new Page("crank-rocker", { phi_deg: 30 });
   const show = (shown) => {
@@ -33,7 +33,7 @@ function begin() {
   page.now();
   page.mechanism.sheet = () => ({
     size: { width: 100, height: 50 },
-    // Both are painted before the browser looks at the canvas.
+    // Ground and moment are painted before the browser captures the canvas.
     begin: () => ({ ground: () => (canvas.shown = ["ground"]), moment: (_, { frameInput }) => show([...canvas.shown, frameInput]) }),
   });
   canvas.captured = null;

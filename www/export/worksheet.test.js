@@ -1,4 +1,4 @@
-// The worksheet that is printed: what it has of the mechanism and of an open lesson, and what it keeps to itself.
+// Tests of the printed worksheet: what it shows of the mechanism and of an open lesson, and what it withholds.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -17,11 +17,11 @@ import { tableOf } from "assur/tests/words.js";
 const OWN = JSON.parse(readFileSync(new URL("../lessons/mixer/words.en.json", import.meta.url), "utf8"));
 const words = new Words("en", new Map([...tableOf("en"), ...Object.entries(OWN)]));
 
-// As the rail of the mixer does.
+// The rail of the mixer sets the same numbers.
 numberEntries("wheels", (index) => String(index + 5));
 
 /**
- * A page, and what is printed of it.
+ * Makes the worksheet of a page.
  * @param {string} id of the mechanism
  * @param {boolean} taught whether the lesson of the mixer is open
  * @param {(page: Page) => void} prepare
@@ -30,7 +30,7 @@ function print(id = "mixer-a", taught = true, prepare = () => {}) {
   const page = Object.assign(new Page(id, { phi_deg: 75 }), { words });
   prepare(page);
   const steps = taught ? new FolderLesson("mixer", LESSON, {}, page).tell(words).filter(({ question }) => question) : [];
-  /** What is withheld while the sheet is made. */
+  /** Quantities and read-outs that are withheld from the sheet. */
   let withheld = null;
   const sheet = sheetOf(page, steps, (hidden) => (withheld = hidden));
   return { sheet, steps, withheld };
@@ -56,14 +56,14 @@ test("no question speaks of a button", () => {
   for (const { question } of print().steps) assert.doesNotMatch(question.text, /Show it/);
 });
 
-/** Shows what a lesson has of its own. */
+/** Opens a document that belongs to a lesson. */
 function show(page, lesson, preset) {
   const { kind, document } = wholePresets(JSON.parse(readFileSync(new URL(`../lessons/${lesson}/presets.json`, import.meta.url), "utf8")))[preset];
   page.choose(kind, document);
   page.model.follow(page.store.get());
 }
 
-/** Each line of the tables. */
+/** Texts of the rows of the tables. */
 function lines(...how) {
   return all(print(...how).sheet, "tr").map(({ textContent }) => textContent);
 }
