@@ -2,7 +2,7 @@
 import { OTHER_NAMES } from "assur/gallery/other-names.js";
 
 /**
- * Search words of a card. `names`: found by how they begin; `about`: words of the line about it, found by how they begin if at least
+ * Search words of a card. `names`: found by their beginning; `about`: words of the line about it, found by their beginning if at least
  * {@link BEGINNING} letters are typed, or else as a whole; `number`: class, from 1; 0 if there is none.
  * @typedef {{ readonly names: readonly string[], readonly about: readonly string[], readonly number: number }} Findable
  */
@@ -10,7 +10,7 @@ import { OTHER_NAMES } from "assur/gallery/other-names.js";
 /** Roman numerals of classes, indexed by their values, because a class can also be typed as a digit. */
 const CLASSES = Object.freeze(["", "i", "ii", "iii", "iv", "v", "vi"]);
 
-/** Least number of letters by which a word of a sentence is found: fewer begin too many words. */
+/** Least number of typed letters that find a word of a sentence by its beginning. Fewer letters would find too many words. */
 const BEGINNING = 4;
 
 /** Matches the word for a class, in any language of the page, as normalised by {@link wordsOf}. */
