@@ -15,7 +15,7 @@ const GESTURES = Object.freeze([
   ["gesture.fit", "gesture.fit.does"],
 ]);
 
-/** The source papers. */
+/** Keys of the citations of the source papers. */
 const PAPERS = Object.freeze(["papers.mixer", "papers.class4", "papers.synthesis", "papers.mobility", "papers.differential"]);
 
 /** @param {import("assur/core/words.js").Words} words */
