@@ -1,4 +1,4 @@
-// The service worker with a store, a network and versions of a page that the test holds.
+// Tests of the service worker, with stand-ins for the storage, the network and versions of the page.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test, { beforeEach } from "node:test";
@@ -23,7 +23,7 @@ globalThis.caches = {
   match: async (url) => [...stores.values()].find((store) => store.has(url.url ?? url))?.get(url.url ?? url).clone(),
 };
 
-/** What hosts answer, by path; a function answers by itself. */
+/** Responses of the network, by path; a function makes its own response. */
 let net = {};
 let asked = [];
 globalThis.fetch = async (request, { cache = "default" } = {}) => {
@@ -41,7 +41,7 @@ globalThis.self = { registration: { scope: SCOPE }, clients: { claim: async () =
 globalThis.addEventListener = (type, listener) => (events[type] = listener);
 
 /**
- * A version of the worker, as the build writes it.
+ * Starts a version of the worker, as the build writes it.
  * @param {string} build
  * @param {...string} files
  */
