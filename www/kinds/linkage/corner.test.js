@@ -1,4 +1,4 @@
-// Angles of links with three points, set as the rail sets them.
+// Tests of the angles of links with three points, set by the call that the rail makes.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { initialState } from "assur/state/state.js";
@@ -13,7 +13,7 @@ test("an angle that is set the shorter way round is refused by the way that it w
   const links = Object.entries(LINKS).map(([name, ends]) => ({ name, points: [...ends] }));
   const document = { points, frame: ["A", "D", "G"], links, drivers: [{ crank: "crank" }] };
   const { home } = engine.set(initialState("linkage", document, {}));
-  // From 27° these are −110° and 160°.
+  // As the present angle is 27°, 250° is reached as −110°, and −200° as 160°.
   for (const [angle, refused, wound] of [[250, "too_small", -110], [-200, "too_large", 160], [-110, "too_small", -110], [160, "too_large", 160]]) {
     assert.throws(() => engine.simulator.setDimension("links[1].corner_deg[2]", angle, home), ({ problems: [{ code, by, last }] }) => {
       assert.equal(code, refused, String(angle));

@@ -58,7 +58,7 @@ export function paintCourse(context, panels, { kind, state, summary, words }, en
  * @param {(input: number) => number | undefined} value of the plot's curve at a crank angle
  * @param {Words} words
  * @param {Theme} theme
- * @returns {Box | null} box of the inset
+ * @returns {Box | null} box of the inset; null if there is nothing to magnify
  */
 function paintDwell(context, panel, dwell, { start, end }, value, words, theme) {
   const period = end - start;

@@ -1,4 +1,4 @@
-// The dwell laid over plots: on those of the quantity whose band the document gives, and nothing is written over it.
+// Tests of the dwell painted over the plots: only over those of the output whose band the document gives, and clear of all labels.
 import "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
@@ -11,7 +11,7 @@ import { Page } from "assur/tests/page.js";
 
 const SIZE = { width: 380, height: 480 };
 
-/** Where the dwell is magnified on the plots of a page, what is written there, and the labels of the marks. */
+/** Boxes of the magnified dwell on the plots of a page, the texts in them, and the labels of the marks. */
 function painted(page) {
   const theme = themeOf(page.engine.roles);
   const snapshot = page.now();

@@ -48,7 +48,7 @@ export class DesignView {
   #snapshot = null;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {ReturnType<typeof subject> | null} document and plot after the last improvement of the search */
+  /** @type {ReturnType<typeof subject> | null} document and plot at the start of the search or after its last improvement */
   #subject = null;
   #changed = false;
   /** @type {Progress | null} */

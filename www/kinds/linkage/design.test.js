@@ -1,4 +1,4 @@
-// The search for a dwell, with the worker that searches.
+// Tests of the search for a dwell, with its worker.
 import "assur/tests/document.js";
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -9,14 +9,14 @@ import { Page } from "assur/tests/page.js";
 import { withoutStack } from "assur/tests/stack.js";
 import { Worker, endWorkers, fetchFile } from "assur/tests/worker.js";
 
-/** A worker that never answers is a failure; in milliseconds. */
+/** Time limit for the answers of a worker, in milliseconds. */
 const PATIENCE = Object.freeze({ timeout: 20_000 });
 
 globalThis.Worker = Worker;
 globalThis.fetch = fetchFile;
 afterEach(endWorkers);
 
-/** The search on a page; `press` presses one of its buttons, `until` waits for what it says. */
+/** The search on a page. `press` presses one of its buttons; `until` waits for a text in its message. */
 function begin({ signal }) {
   const page = new Page("class4-dwell");
   const view = new DesignView(page);

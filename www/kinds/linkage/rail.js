@@ -14,7 +14,7 @@ import { change, inputNow } from "assur/state/change.js";
  * @typedef {import("assur/state/model.js").OwnSnapshot<"linkage">} Snapshot
  */
 
-/** Number of dimensions of links that are always in sight; all others are behind a fold. */
+/** Number of dimensions of links that are always visible; all others are in a fold. */
 const IN_SIGHT = 6;
 
 /** Key of the name, and the symbol, for each kind of dimension. */
@@ -33,7 +33,7 @@ export class LinkageRail {
   #rates = make("div", { id: "linkage-rates" });
   #lengths = make("div", { id: "linkage-lengths" });
   #coordinates = make("div", { id: "linkage-frame" });
-  /** Fold with the dimensions that are not always in sight. */
+  /** Fold with the dimensions that are not always visible. */
   #more = make("details", { id: "more-dimensions", class: "fold within" });
   #moreName = make("summary");
   #moreLengths = make("div");

@@ -1,4 +1,4 @@
-// Rows of the rail: of which link and points each dimension is stands there once.
+// Tests of the rows of the rail: each names the link and the points of its dimension, once.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { all } from "assur/tests/document.js";
@@ -10,7 +10,7 @@ import { snapshotOf } from "assur/tests/shown.js";
 const engine = newEngine();
 const page = { engine, drafts: { has: () => false, drop() {}, text: () => null } };
 
-/** What stands beside the fields of a linkage and what they are called: of links and slides, of fixed pivots. */
+/** Visible names and accessible labels of the fields of a linkage: those of links and slides, and those of fixed pivots. */
 function rows(state) {
   const snapshot = snapshotOf(engine, state);
   new LinkageRail(page).render(snapshot);

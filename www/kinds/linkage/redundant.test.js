@@ -1,4 +1,4 @@
-// Linkages with a redundant constraint. Two links on the same two points are one body: a four-bar with one of its links doubled is the same four-bar.
+// Tests of linkages with redundant constraints, such as a four-bar with a doubled link: two links on the same two points are one body.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { initialState } from "assur/state/state.js";
@@ -12,7 +12,7 @@ const LINKS = Object.freeze({ crank: "AB", coupler: "BC", rocker: "DC" });
 
 /**
  * @param {Record<string, number[]>} places
- * @param {Record<string, string>} links their points, by name
+ * @param {Record<string, string>} links points of each link, with names of one letter
  */
 function four({ ...places }, links) {
   const points = Object.entries(places).map(([name, at]) => ({ name, at }));
@@ -55,7 +55,7 @@ test("without its passive links a linkage moves, in whatever order its links are
   }
 });
 
-/** A four-bar whose coupler, a plate, is doubled by another one. */
+/** A four-bar whose coupler, a plate, is doubled by a second plate. */
 function plates(shape) {
   const { links, ...rest } = four({ A: [0, 0], B: [0, 0.5], C: [1, 0.6], D: [1.2, 0], E: [-0.1, 1.5] }, { ...LINKS, coupler: "BCE", double: "BCE" });
   const shapes = { coupler: [[0, 0], [1, 0], [0, 1]], double: shape };
@@ -66,7 +66,7 @@ test("links that share three points are one body where these are in the same pla
   const engine = newEngine();
   const { formula } = engine.set(initialState("linkage", plates([[2, 1], [2, 2], [1, 1]]), {}));
   assert.match(formula, /q₃\(double\)$/);
-  // Turned and mirrored: as far from the first, and elsewhere.
+  // The third point of the second plate, turned or mirrored: at the same distance from the first point, but elsewhere.
   for (const third of [[0.6, 0.8], [0, -1]]) {
     assert.throws(() => engine.set(initialState("linkage", plates([[0, 0], [1, 0], third]), {})), ({ problems: [{ code }] }) => code === "locked", String(third));
   }

@@ -1,4 +1,4 @@
-// What the status line says of a linkage: nothing that was not looked for is none, and links on the same two points are one body.
+// Tests of the status line of a linkage: it omits what was not searched for, and counts links on the same two points as one body.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -11,7 +11,7 @@ const engine = newEngine();
 
 /**
  * @param {import("assur/state/state.js").State} state
- * @returns {(name: string) => string} what its entry says, empty where it is not there
+ * @returns {(name: string) => string} gives the text of an entry by its name; empty if there is no such entry
  */
 function told(state) {
   shownOf(engine, state);

@@ -1,4 +1,4 @@
-// The number of redundant constraints of a scheme, in every place of the page that shows it.
+// Tests that every place of the page shows the same number of redundant constraints of a scheme.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -18,7 +18,7 @@ const PRESETS = wholePresets(JSON.parse(readFileSync(new URL("../../lessons/mobi
 
 const page = globalThis.document;
 
-/** All numbers that the page calls q, of a scheme that is cut open. */
+/** All numbers that the page shows as q, for a scheme whose contours are cut open. */
 function told({ kind, document }) {
   const closed = engine.set(initialState(kind, { ...document, cut: [] }, {}));
   const snapshot = snapshotOf(engine, initialState(kind, { ...document, cut: closed.automatic }, { lang: "en" }));
@@ -27,9 +27,9 @@ function told({ kind, document }) {
   for (const view of views) view.render(snapshot);
   const { summary, words } = snapshot;
   const lines = all(page.getElementById("rail"), "p").map(({ textContent }) => textContent)
-    // Of the scheme with other pairs.
+    // This line is about the scheme with replaced pairs.
     .filter((line) => line !== words.text("replace.said"));
-  // Of a sum what it comes to.
+  // Of a sum only the total counts.
   const said = [...lines, page.getElementById("mechanism-description").textContent].flatMap((line) => line.match(/\bq = [^.;]*/) ?? []);
   return [...said.map((one) => Number(one.split("= ").at(-1))), SAID.q(summary, words).value];
 }

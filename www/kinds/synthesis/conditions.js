@@ -64,7 +64,7 @@ export class ConditionsView {
  * @param {Wanted} wanted
  * @param {number} k
  * @param {Words} words
- * @param {boolean} hidden whether a lesson asks for the lengths that are positive
+ * @param {boolean} hidden whether a lesson asks for the values of l₁ at which l₂ and l₃ are positive
  */
 function table({ at, conditions, theorems, pair, ranges, interval }, k, words, hidden) {
   const { numbers } = words;
@@ -82,7 +82,7 @@ function table({ at, conditions, theorems, pair, ranges, interval }, k, words, h
     <tbody>${rows}${left}${hidden ? [] : judged}${between}${rangeRow(words.text("conditions.truth"), truth, "truth")}</tbody></table>`;
 }
 
-/** Name under which lessons hide the lengths that are positive in fact. */
+/** Name by which lessons withhold the values of l₁ at which l₂ and l₃ are positive. */
 const ANSWER = "conditions-truth";
 
 /** Keys of the texts on a theorem, by whether its conditions hold and whether its conclusion is true. */

@@ -1,4 +1,4 @@
-// The cone of the links' directions: no name in it covers another.
+// Tests of the cone of the links' directions: no name covers another.
 import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";

@@ -16,7 +16,7 @@ import { edited, withoutExtras } from "assur/state/state.js";
  * @typedef {import("assur/core/problem.js").Problem} Problem
  */
 
-/** Initial values. `USUAL`: function. `POWER`: exponent. `COUNT`: positions; with `USUAL` the error is 0.2 %. */
+/** Initial values. `USUAL`: function. `POWER`: exponent. `COUNT`: number of positions; with `USUAL` the error is 0.2 %. */
 const USUAL = Object.freeze(/** @type {Wanted} */ ({ of: "log10", x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] }));
 const POWER = 2;
 const COUNT = 3;

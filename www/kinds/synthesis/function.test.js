@@ -1,4 +1,4 @@
-// A function that positions are put on: in the state, and what is wrong with it.
+// Tests of a wanted function: the positions derived from it, its form in the state, and the sentences for its faults.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { sentence } from "assur/controls/problems.js";
@@ -26,11 +26,11 @@ test("positions stand at Chebyshev's places or in even steps, and the linkage is
   assert.equal(from, "exact");
   assert.equal(error.complete, true);
   assert.equal(error.curve.length, 101);
-  // Worked out apart from the engine.
+  // Computed independently of the engine.
   const [x, greatest] = error.greatest;
   assert.ok(Math.abs(x - 2) < 1e-9, String(x));
   assert.ok(Math.abs(greatest + 0.000521470237586174) < 1e-12, String(greatest));
-  // At its positions there is none: the curve crosses nought three times.
+  // The error is zero at the three positions: its curve changes sign three times.
   const signs = error.curve.map(([, off]) => Math.sign(off));
   assert.equal(signs.filter((sign, k) => k > 0 && sign !== signs[k - 1]).length, 3);
   assert.deepEqual(engine.functions.readState(fromFile(toFile(state))).document, engine.functions.readState(state).document);
