@@ -84,7 +84,7 @@ test("what is no code is none, even where its sum is right", () => {
     assert.equal(fromCode(signed(packed(value))), null, JSON.stringify(value));
   }
   assert.deepEqual(fromCode(signed(packed(["a", "b", null]))), { lesson: "a", name: "b", answers: [null] });
-  // A code from before tries were counted.
+  // A code of the older version, which has no numbers of tries.
   assert.deepEqual(fromCode(signed(packed(["a", "b", "40,4"]))), { lesson: "a", name: "b", answers: [{ given: "40,4", tries: 0, shown: false }] });
   for (const text of ["", "hello", "assur1", "assur1..", "assur3.YQ.1", `${signed(packed(["a", "b"]))}.x`, "x".repeat(30_000)]) assert.equal(fromCode(text), null, text.slice(0, 40));
 });

@@ -11,7 +11,7 @@ import { hash } from "assur/lesson/chance.js";
 /** Versions of the code: the present one, and an older one without numbers of tries. */
 const [VERSION, WITHOUT_TRIES] = ["assur2", "assur1"];
 
-/** Limits in characters. `MAX_CODE`: length of a code. `MAX_ANSWER`: length of an answer. */
+/** Limits in characters. `MAX_CODE`: length of a code. `MAX_ANSWER`: length of an answer, a name or a digest in a code. */
 const MAX_CODE = 20_000;
 const MAX_ANSWER = 200;
 

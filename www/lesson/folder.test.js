@@ -1,4 +1,4 @@
-// Every step of every lesson of ours: what it shows opens without a problem, and its answers are judged and said in every language.
+// Tests of every step of every lesson of the page: its mechanisms open without a problem, and its answers are judged and written in every language.
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
@@ -11,7 +11,7 @@ import { LANGUAGES, tableOf } from "assur/tests/words.js";
 const LESSONS = new URL("../lessons/", import.meta.url);
 const read = (path) => JSON.parse(readFileSync(new URL(path, LESSONS), "utf8"));
 
-/** What is right, by lesson and step; of a step whose buttons have names by those, null where nothing is right yet, false where something else is asked about. */
+/** Right answers by lesson and step, and by button if the step's buttons have names. null: no answer is right yet; false: another kind is asked about. */
 const LISTS = JSON.parse(readFileSync(new URL("../../tests/data/page/lesson_answers.json", import.meta.url), "utf8"));
 const ANSWERS = Object.fromEntries(Object.entries(LISTS).map(([id, steps]) => [id, Object.fromEntries(steps)]));
 
@@ -51,7 +51,7 @@ for (const [id, answers] of Object.entries(ANSWERS)) {
         assert.deepEqual([now.problems, now.stale], [[], false], what);
         const right = name === "" ? answers[step.id] : answers[step.id][name];
         check(step, right, now, languages.map(({ words, steps }) => ({ words, question: steps[number].question })), what);
-        // What it shows is one step of undo, unless it was open already.
+        // To show a mechanism is one undo step, unless it was open already.
         if (page.store.get().document === before.document) continue;
         page.history.undo();
         assert.deepEqual([page.store.get().kind, page.store.get().document], [before.kind, before.document], what);
@@ -72,9 +72,9 @@ for (const [id, answers] of Object.entries(ANSWERS)) {
         assert.ok(shows.every((show) => show.text.length > 1 && !show.text.includes("show.")));
         assert.deepEqual(question.options?.map(({ value }) => value), LESSON.steps[number].question.choices);
         assert.ok(question.options?.every((option) => !option.text.includes("choice.")) ?? true);
-        // The tolerance is within the question, which is the last sentence.
+        // The question is the last sentence of its text, and contains the tolerance.
         if (LESSON.steps[number].question.within) assert.match(question.text, /^[^?]+\)\?$/);
-        // Numbers of pairs have one letter in all lessons: P₁, P₂.
+        // All lessons use one letter for the numbers of pairs: P₁, P₂.
         assert.doesNotMatch(`${formula} ${text} ${question.text}`, /p[₁-₅]/);
         // A number in a formula has the decimal sign of the language.
         if (words.lang !== "en") assert.doesNotMatch(formula, /\d\.\d/);
@@ -97,7 +97,7 @@ function check({ question: asked }, right, now, languages, what) {
       continue;
     }
     if (right === null) {
-      // It is right once the reader has mended what is shown.
+      // An answer becomes right only when the reader has corrected the shown mechanism.
       for (const given of ["1", "20"]) assert.equal(question.judge(given, now), "not_yet", what);
       continue;
     }
@@ -106,7 +106,7 @@ function check({ question: asked }, right, now, languages, what) {
       assert.equal(question.judge("", now), "unanswered");
     } else {
       const { within } = asked;
-      // As a reader of the language writes it, and as near as the question asks.
+      // Answers in the notation of the language, as near as the tolerance of the question allows.
       assert.equal(question.judge(words.numbers.exact(right), now), "right", what);
       for (const sign of [-1, 1]) {
         if (within > 0) assert.equal(question.judge(words.numbers.exact(right + 0.99 * sign * within), now), "right", what);
@@ -123,7 +123,7 @@ function check({ question: asked }, right, now, languages, what) {
 /**
  * @param {import("assur/lesson/panel.js").Question} question
  * @param {string} answer as it is shown
- * @returns {string} what a reader types or chooses who has read it
+ * @returns {string} the answer as a reader types or chooses it
  */
 function choiceOf({ options, unit }, answer) {
   return options ? options.find(({ text }) => text === answer).value : answer.slice(0, answer.length - unit.length);

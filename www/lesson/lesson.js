@@ -30,7 +30,7 @@ export class Lesson {
   #open = false;
   /** @type {import("assur/state/state.js").View["lesson"]} lesson and step to return to */
   #last = null;
-  /** What to do with a lesson just opened. `seen`: scroll it into view. `focused`: focus it, for example if it was opened by a key. */
+  /** Actions due once the lesson is open. `seen`: scroll it into view. `focused`: focus it, for example if it was opened by a key. */
   #called = { seen: false, focused: false };
 
   /** @param {import("assur/app/page.js").Page} page */

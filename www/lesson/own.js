@@ -77,7 +77,7 @@ export class OwnMechanism {
     if (state.document !== before || this.#shows.some((one) => one.opened?.(state))) this.#add(state);
   }
 
-  /** Whether the page shows the step's mechanism. For a step without a mechanism, any mechanism will do. */
+  /** Whether the page shows the step's mechanism. A step without a mechanism accepts every mechanism. */
   get there() {
     return this.#shows.length === 0 || this.#own.has(this.#page.store.get().document);
   }

@@ -1,4 +1,4 @@
-// The mechanism of a step: which documents are its own, and how it is brought back.
+// Tests of the mechanism of a step: which documents belong to the step, and how its mechanism is shown again.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { OwnMechanism } from "assur/lesson/own.js";
@@ -6,7 +6,7 @@ import { edited, withView } from "assur/state/state.js";
 import { Page } from "assur/tests/page.js";
 import { happen } from "assur/tests/window.js";
 
-/** A page on which a step shows case B of the mixer, and an element that stands for its controls. */
+/** A step that shows case B of the mixer, and an element in place of its controls. */
 function stepOn(page) {
   const inside = new Node();
   const controls = Object.assign(new Node(), { contains: (target) => target === inside });
@@ -28,7 +28,7 @@ test("a step's own mechanism is the one shown, and what its controls made of it"
   happen("input", { target: inside });
   lengthen(page, 0.33);
   assert.equal(own.there, true);
-  // Undo and redo of it stay within the step; beyond its beginning is what the reader had.
+  // Undo and redo stay within the step. An undo beyond its beginning brings back the reader's earlier mechanism.
   happen("click", { target: new Node() });
   page.history.undo();
   assert.equal(own.there, true);
@@ -43,7 +43,7 @@ test("a step's own mechanism is the one shown, and what its controls made of it"
     page.history.redo();
     assert.equal(own.there, true);
   }
-  // A hand on the drawing, a field of the settings, a file.
+  // A change on the drawing, in the settings or by a file does not belong to the step.
   happen("pointerdown", { target: new Node() });
   lengthen(page, 0.34);
   assert.equal(own.there, false);

@@ -1,4 +1,4 @@
-// A lesson step by step: a text, something to show, a question with a checked answer. Loaded with the first lesson.
+// A lesson step by step: a text, mechanisms to open, a question with a checked answer. Loaded with the first lesson.
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { marked, withSubscripts, writeSubscripted } from "assur/core/subscripts.js";
@@ -78,7 +78,7 @@ export class LessonPanel {
   #fields = make("div", { class: "choices" });
   #check = make("button", { id: "lesson-check", class: "control", form: "lesson-form" });
   #reveal = make("button", { id: "lesson-reveal", class: "control", type: "button", onclick: () => this.#showAnswer() });
-  /** For a reader who opened a lesson once begun, which opens at its first step. */
+  /** Goes to the first step that is neither solved nor shown. Offered on the first step, if the reader has been further before. */
   #resume = make("button", { id: "lesson-resume", class: "control", type: "button", hidden: "", onclick: () => this.#resumeStep() });
   #form;
   #said = make("p", { id: "lesson-said", role: "status" });
@@ -124,8 +124,8 @@ export class LessonPanel {
   }
 
   /**
-   * Takes over the progress kept under the name just typed. Replaces no button: a press on one may have ended the
-   * typing, and its click is still to come.
+   * Takes over the progress kept under the name just typed. All buttons stay in the page: the typing may have ended with a press on one of
+   * them, whose click follows.
    * @returns {Progress}
    */
   #renew() {
@@ -142,7 +142,7 @@ export class LessonPanel {
     return this.#progress;
   }
 
-  /** Ends the lesson for good. */
+  /** Ends the lesson. The panel cannot be used again. */
   end() {
     this.#leave();
     this.close();
@@ -383,7 +383,7 @@ export class LessonPanel {
   /**
    * Shows the step's mechanism again, if the question is about it and the page shows another.
    * @param {Question} question
-   * @returns {boolean} whether it had to be brought back
+   * @returns {boolean} whether the mechanism had to be opened again
    */
   #bringOwn({ ofPage }) {
     if (!ofPage || this.#own.there) return false;

@@ -1,4 +1,4 @@
-// The panel of a lecturer's lesson: another name takes its own answers without a new panel.
+// Tests of the panel of a lecturer's lesson: another name gets its own answers, in the same elements.
 import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
@@ -13,7 +13,7 @@ const words = wordsOf("en");
 HTMLElement.prototype.scrollIntoView = () => {};
 beforeEach(() => localStorage.clear());
 
-/** An opened lesson of one step; `find` is an element of the panel by its id, `type` writes into it as a person does. */
+/** Opens a lesson of one step. `find` returns an element of the panel by its id; `type` writes into one as a reader does. */
 function begin(question, vary = []) {
   const page = new Page("mixer-a");
   page.redraw = () => {};
@@ -45,7 +45,7 @@ test("another name has its own answers, in the same elements", () => {
   type("lesson-reader", "Bo");
   assert.ok(before.length > 8 && named().every((element, i) => element === before[i]));
   assert.equal(find("lesson-answer").value, "");
-  // A verdict on another's answer is not seen; its room stays, so that a button under the pointer does.
+  // A verdict on another reader's answer is hidden but keeps its space, so that a button under the pointer does not move.
   assert.equal(find("lesson-said").dataset.verdict, "past");
   assert.ok(!find("lesson-progress").textContent.includes("solved"), find("lesson-progress").textContent);
   check();

@@ -84,7 +84,7 @@ export class Paper {
    * @param {string} step the id of a step
    * @param {Words} words words of the page and of the paper
    * @returns {HTMLElement[]} the step's items for a printed page: for the shown step, the content of its fold; for any
-   * other step, only formulas and whether they hold, because reasons and numbers may answer the question
+   * other step, only the formulas of the paper and whether they hold, because reasons and numbers may answer the question
    */
   onPaper(step, words) {
     if (step === this.#step) return [/** @type {HTMLElement} */ (this.#rows.cloneNode(true))];
@@ -110,7 +110,7 @@ export class Paper {
 
   /**
    * @param {Item} item
-   * @param {readonly Node[]} [further] what follows the formulas and numbers
+   * @param {readonly Node[]} [further] elements after the formulas and numbers
    */
   #row(item, further = []) {
     const numbers = make("div", { class: "paper-numbers" });

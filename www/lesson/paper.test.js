@@ -10,7 +10,7 @@ const relation = { item: "", name: "y″_C1", angle: false, turned: false, count
 test("a relation that holds has one number, with the decimal sign of the language", () => {
   assert.equal(compared(relation, en), "y″_C1 = −0.1600");
   assert.equal(compared(relation, ru), "y″_C1 = −0,1600");
-  // Rounding is no difference.
+  // A rounding error does not count as a difference.
   assert.equal(compared({ ...relation, printed: -0.16 + 1e-12 }, en), "y″_C1 = −0.1600");
 });
 

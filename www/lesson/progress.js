@@ -136,7 +136,7 @@ export class Progress {
 /**
  * @param {string | null} text text from the storage, perhaps not written by this page
  * @returns {Readonly<Record<"given" | "tries" | "mechanisms", Readonly<Record<string, unknown>>> & Record<"solved" | "shown", readonly unknown[]>>} progress in the
- * text; entries of an unexpected type are returned empty
+ * text; lists that are not arrays are returned empty, as is everything if the text is not JSON
  */
 function read(text) {
   const list = (/** @type {unknown} */ value) => (Array.isArray(value) ? value : []);

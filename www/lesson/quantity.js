@@ -9,7 +9,7 @@ import { measured, unitOfRate } from "assur/core/units.js";
  * @typedef {NonNullable<NonNullable<import("assur/state/state.js").Written["steps"][number]["question"]>["number"]>} Asked
  */
 
-/** Name of the quantity "number of degrees of freedom". */
+/** Name of the mobility as a quantity. */
 export const W = "W";
 
 /**
@@ -77,7 +77,7 @@ function read(quantity) {
 
 /**
  * @param {Asked | null | undefined} asked
- * @returns {readonly string[]} what is withheld while a question asks for a number: the quantity asked for, except the input, which is never hidden
+ * @returns {readonly string[]} quantities that are withheld while a question asks for a number: the one asked for, except the input, which is never hidden
  */
 export function secrets(asked) {
   return asked?.quantity && asked.quantity !== "input" ? [asked.quantity] : [];

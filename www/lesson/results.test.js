@@ -1,4 +1,4 @@
-// The results of a class, as a table that is saved.
+// Tests of the results of a class as a saved table.
 import assert from "node:assert/strict";
 import test from "node:test";
 import "assur/tests/canvas.js";
@@ -37,7 +37,7 @@ async function csvIn(lang) {
   field("write-codes").value = [code("Ann", given("0", 2), null, given("0", 1)), "damaged", code("Әсем", given("1", 1), null, given("0", 0, true))].join("\n");
   field("write-codes").dispatchEvent(new Event("input"));
   assert.equal(field("write-save_results").hidden, false);
-  // Codes are judged in slices of time.
+  // The codes are judged in slices of time, so the rows do not come at once.
   while (results.element.querySelectorAll("tbody tr").length < 3) await new Promise((done) => setTimeout(done));
   field("write-save_results").dispatchEvent(new Event("click"));
   const { file, name } = saved.at(-1);

@@ -1,4 +1,4 @@
-// Worksheets of a class: each has what is needed to solve it on paper, and no answer.
+// Tests of the worksheets of a class: each has all that is needed to solve it on paper, and no answer.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { all } from "assur/tests/document.js";
@@ -17,10 +17,10 @@ globalThis.OffscreenCanvas = class OffscreenCanvas {
 };
 
 const page = new Page("mixer-a");
-// As the rail of the mixer does.
+// The rail of the mixer sets the same numbers.
 numberEntries("wheels", (index) => String(index + 5));
 
-/** What is printed for a name of a task about a mechanism of the catalogue, and its answer. */
+/** Worksheet with a task about a mechanism of the catalogue, and the answer of the task. */
 function printed(id, vary = [], quantity = "input", name = "Ann") {
   const { kind, document } = page.engine.catalogue.preset(id);
   const lesson = { title: "Own", steps: [{ title: "Task", text: "", shows: { kind, document, view: { phi_deg: 30 }, vary }, question: { text: "How much?", number: { quantity, within: 0.001 } } }] };
@@ -31,7 +31,7 @@ function printed(id, vary = [], quantity = "input", name = "Ann") {
 for (const [id, wanted] of [
   ["crank-rocker", ["lAB = 2", "lBC = 6", "lBM = 3.605551", "lCM = 3.605551", "lDC = 4.5", "xA = 0", "yA = 0", "xD = 6", "yD = 0"]],
   ["class4-dwell", ["lAB = 1", "yD = −4.78"]],
-  // The guide of the ram and the pivot of the lever.
+  // D is the pivot of the lever; G and H are on the guide of the ram.
   ["shaper", ["lAB = 1.25", "lDE = 7", "lEF = 2.5", "xD = 0", "yD = −4", "yG = 2.825", "yH = 2.825"]],
   ["geared-five-bar", ["lBC = 3.2", "crank: z = 40", "follower: z = 20"]],
   ["mixer-a", ["Crank l₁ = 0.37\u00a0m", "Module m = 0.0165\u00a0m", "Number of teeth z₄ = 36", "Wheel 5, number of teeth = 18", "Wheel 5, centre-line angle = −40"]],
@@ -92,7 +92,7 @@ for (const [id, field, [from, to], wanted, unit = "none"] of [
   });
 }
 
-/** What is printed of a question about a mechanism, and its answer. */
+/** Worksheet with a question about a mechanism, and the answer of the question. */
 function asking(id, number, { text = "How much?", unit, view = {}, question = { text, number } } = {}) {
   const { kind, document } = page.engine.catalogue.preset(id);
   const shows = { kind, document: unit ? { ...document, unit } : document, view: { phi_deg: 30, ...view } };

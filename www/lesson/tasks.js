@@ -34,7 +34,7 @@ const PROPERTIES = Object.freeze(["swing", "time_ratio", "worst"]);
 /**
  * @param {Written} lesson
  * @param {number} index of a step
- * @returns {{ shows: Shows, index: number } | null} `shows`: the document that the step shows, null for none. `index`: the step
+ * @returns {{ shows: Shows, index: number } | null} null if the step shows no document. `shows`: the document that it shows. `index`: the step
  * that has this document: the step itself or an earlier one.
  */
 export function shownBy({ steps }, index) {

@@ -1,4 +1,4 @@
-// What lecturers ask: numbers of one's own of every kind of document, answers, verdicts.
+// Tests of lecturers' questions: readers' own numbers in every kind of document, answers, verdicts.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { attempt } from "assur/core/problem.js";
@@ -19,7 +19,7 @@ const engine = newEngine();
 const words = wordsOf("en");
 
 /**
- * A lesson of one step that shows a document with numbers varied, and asks for a quantity.
+ * Makes a lesson of one step that shows a document with varied numbers and asks for a quantity.
  * @param {{ kind: string, document: object }} shown
  */
 function lessonOf({ kind, document }, vary, number) {
@@ -29,7 +29,7 @@ function lessonOf({ kind, document }, vary, number) {
 /** The value of a field of a document, such as `wheels[0].z`. */
 const at = (document, field) => field.split(/[.[\]]+/).filter(Boolean).reduce((part, key) => part[key], document);
 
-/** A five-bar, whose second crank goes at a rate to the first. */
+/** A five-bar whose second crank turns at a fixed rate to the first. */
 const FIVE_BAR = {
   points: [["A", 0, 0], ["B", 0.6, 0.8], ["C", 2.6, 3], ["D", 4.6, 0.8], ["E", 4, 0]].map(([name, ...at]) => ({ name, at })),
   frame: ["A", "E"],
@@ -56,9 +56,9 @@ for (const [what, shown, vary] of [
       for (const [i, { field, value }] of own.entries()) {
         const { from, to, step } = vary[i];
         assert.ok(value >= from && value <= to && Math.abs((value - from) / step - Math.round((value - from) / step)) < 1e-6, `${field} ${value}`);
-        // A coordinate of a hinge stands in its place, all else where its field says.
+        // A coordinate of a hinge is found at its point, every other number by the path of its field.
         const [, point, axis] = /^points\[(\d+)\]\.([xy])$/.exec(field) ?? [];
-        // A rate of 1 is usual, and not written.
+        // A rate of 1 is the default and is not stored.
         const found = axis ? state.document.points[point].at["xy".indexOf(axis)] : (at(state.document, field) ?? 1);
         assert.ok(Math.abs(found - value) < 1e-9, `${field}: ${found} ${value}`);
       }
@@ -67,7 +67,7 @@ for (const [what, shown, vary] of [
     });
     assert.ok(new Set(all).size >= 3, String(all));
     assert.equal(JSON.stringify(taskOf(lesson, 0, "  aNN ", engine).own), all[0]);
-    // Without a name the lecturer's own numbers stay.
+    // Without a name the lecturer's numbers stay.
     assert.deepEqual(taskOf(lesson, 0, "  ", engine).own, []);
   });
 }
@@ -149,7 +149,7 @@ test("a lesson is identified by its content, not by how it is written down", () 
   const read = engine.functions.readState(withExtras(initialState(jansen.kind, jansen.document, {}), { lesson })).lesson;
   assert.equal(digestOf(read, engine), digestOf(lesson, engine));
   assert.notEqual(digestOf({ ...lesson, title: "Other" }, engine), digestOf(lesson, engine));
-  // A code of the one lesson is not that of the other.
+  // A code of one form of the lesson belongs to the other form, too.
   const code = toCode({ lesson: digestOf(lesson, engine), name: "Ann Lee", answers: [{ given: "40,4", tries: 1, shown: false }] });
   assert.equal(fromCode(code).lesson, digestOf(read, engine));
 });
@@ -178,7 +178,7 @@ test("quantities are named by what their links are called in the reader’s lang
   assert.equal(named("mixer-a", "rocker.angle"), "φ₃ (коромысло)");
   assert.equal(named("mixer-a", "wheel5.angle:swing"), "размах: ψ₅ (колесо 5)");
   assert.equal(named("mixer-a", "C2.x″"), "x″ (C₂)");
-  // An angle swings, a length has a stroke.
+  // The range of an angle is called its swing, that of a length its stroke.
   assert.equal(named("slider-crank", "C.x:swing"), "ход: x (C)");
 });
 
