@@ -1,4 +1,4 @@
-// The figures of the lesson: the linear equations in numbers, and finite differences beside the exact analogues.
+// Tests of the figures of the lesson: the linear equations in numbers, and finite differences beside the exact analogues.
 import { all } from "assur/tests/document.js";
 import assert from "node:assert/strict";
 import test from "node:test";
