@@ -3,7 +3,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { list } from "./files.js";
 
-/** The name of the page in the site. */
+/** File name of the page in the site. */
 export const MECHANISMS = "mechanisms.html";
 
 /** Mechanisms of the catalogue that have no file, because the engine makes them. */

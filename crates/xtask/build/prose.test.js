@@ -5,7 +5,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { ROOT } from "./temporary.js";
 
-/** The phrases. A technical noun (offset, residual, bound, index) says the same in one reading. */
+/** Phrases that have to be read twice. A technical noun (offset, residual, bound, index) says the same in one reading. */
 const PHRASES = /\b(told by|tells? (of|the|its|how|what)|is told|are told|so (many|much) of|hangs? on|by how much|has more than|no more than)\b/g;
 
 const TABLE = path.join(ROOT, "tests/data/prose.json");

@@ -16,10 +16,10 @@ const PAGE = "index.html";
 /** Folder of the repository in which `cargo xtask` puts the engine and its types. */
 export const ENGINE = "target/engine";
 
-/** The whole module of the engine. */
+/** File name of the whole module of the engine. */
 export const WHOLE = "assur_web_bg.wasm";
 
-/** The two parts of the engine's module: see `crates/xtask/src/parts`. */
+/** File names of the two parts of the engine's module: see `crates/xtask/src/parts`. */
 const PARTS = Object.freeze(["first.wasm", "second.wasm"]);
 
 /**

@@ -5,7 +5,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { write } from "./files.js";
 
-/** The root of the repository. */
+/** Path of the root of the repository. */
 export const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
 
 /**
