@@ -1,6 +1,6 @@
-// What drawings and plots ask of a canvas, without pixels: texts are kept with their places, and measured by their letters.
+// Stand-in for a canvas, without pixels: it keeps texts with their places, and measures a text by the number of its letters.
 
-/** Pixels of a letter, by those of the font. */
+/** Width of a letter, relative to the size of the font. */
 const LETTER = 0.5;
 
 globalThis.Path2D ??= class Path2D {
@@ -60,7 +60,7 @@ export class Context {
 }
 
 /**
- * Colours and sizes, as a style sheet would have them: each role has a colour of its own.
+ * Stand-in for the theme of a page: each role has a colour of its own.
  * @param {readonly string[]} roles
  */
 export function themeOf(roles) {

@@ -1,7 +1,7 @@
-// Reads a table that the page gives away as CSV.
+// Reader of the tables that the page saves as CSV.
 import assert from "node:assert/strict";
 
-/** Units at the end of a column's name; that of the crank's angle is part of it. */
+/** Unit at the end of a column's name. In `phi_deg`, the column of the input, the unit is part of the name. */
 const UNIT = /_(rad|deg|m|mm|cm|length|s)(_per_.*)?$/;
 
 /**
@@ -20,7 +20,7 @@ export async function readCsv(file) {
   const rows = rest.map((line) => line.split(comma ? ";" : ",").map((cell) => (comma ? cell.replace(",", ".") : cell)));
   for (const row of rows) {
     assert.equal(row.length, header.length, String(row));
-    // The shortest text of a number.
+    // Each number is written with its shortest text.
     for (const cell of row.slice(0, -1).filter((one) => one !== "")) assert.equal(cell, String(Number(cell)));
   }
   const columns = new Map(header.map((name, index) => [name === "phi_deg" ? name : name.replace(UNIT, ""), index]));

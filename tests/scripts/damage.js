@@ -1,7 +1,7 @@
-// A sound state and all kinds of damage done to it, as an address and as a file; what an address holds, read by the rules of
+// A valid state damaged in many ways, as an address and as a file; and a second reader of addresses, written from the rules of
 // ARCHITECTURE.md alone.
 
-/** Kinds of damage. */
+/** Number of kinds of damage. */
 export const KINDS = 12;
 
 export const sound = () => ({
@@ -21,7 +21,7 @@ export const sound = () => ({
   },
 });
 
-/** What nobody means by a value, as JSON. */
+/** Senseless values of fields, as JSON. */
 const NONSENSE = [
   "null", "[]", "{}", "[[[{}]]]",
   "\"<img src=x onerror='window.hurt=1'>\"", "\"<script>window.hurt=1</script>\"", "\"javascript:window.hurt=1\"",
@@ -38,7 +38,7 @@ const PARTS = ["d.", "v.", ""];
 /** @typedef {import("./random.js").Dice} Dice */
 
 /**
- * Damage that knows nothing of the form.
+ * Damages a text without regard to its form.
  * @param {Dice} dice
  * @param {string} text
  * @param {number} kind
@@ -83,7 +83,7 @@ export function damagedAddress(dice, kind) {
   else if (kind === 9) all.splice(at, 1);
   else if (kind === 10) return address(all, dice.one(["0", "2", "", "1.0", "1;", "<b>", "-1"]));
   else if (kind === 11) {
-    // Once more, and no other damage: this may still be a state.
+    // An additional key. In one of eight cases it is the only damage, and the address may still hold a state.
     all.push([dice.one(PARTS) + dice.one(KEYS), dice.one(["1", "{\"hurt\":1}", "x"])]);
     if (dice.below(8) > 0) all[at][1] += dice.one(["!", "<", "e", " 1"]);
   } else return blind(dice, address(all), kind);
@@ -121,12 +121,12 @@ export function damagedFile(dice, kind) {
   return blind(dice, text, kind);
 }
 
-/** What else than document and view an address of a version holds. */
+/** Keys of an address besides those of document and view, by version. */
 const EXTRAS = { 1: ["lesson"], 2: ["kind", "lesson", "compared"] };
 
 /**
  * @param {string} hash
- * @returns {object | null} what an address holds; null where it is none
+ * @returns {object | null} the state in the address; null if the address cannot be read
  */
 export function held(hash) {
   if (hash.length > 400_000) return null;
@@ -146,7 +146,7 @@ export function held(hash) {
     try {
       if (value !== null) value = JSON.parse(value);
     } catch {
-      // It is a text.
+      // A value that is not JSON is text.
     }
     if (key.startsWith("d.")) put(state.document, key.slice(2), value);
     else if (key.startsWith("v.")) put(state.view, key.slice(2), value);
@@ -157,7 +157,7 @@ export function held(hash) {
 
 /**
  * @param {unknown} value
- * @returns {number} how deep it is nested
+ * @returns {number} depth of nesting
  */
 export function depth(value) {
   if (typeof value !== "object" || value === null) return 0;

@@ -1,4 +1,4 @@
-// A document without styles and layout: the elements of the page itself, by happy-dom.
+// A document without styles and layout, which happy-dom makes of the elements of the page.
 import "assur/tests/window.js";
 import { readFileSync } from "node:fs";
 import { Window } from "happy-dom";
@@ -11,7 +11,7 @@ const names = [...GIVEN, ...Object.getOwnPropertyNames(window).filter((name) => 
 for (const name of names) globalThis[name] = window[name];
 globalThis.document = window.document;
 
-/** Empties the page: the elements of `index.html`, as before any script. */
+/** Resets the document to the elements of `index.html`, as they are before any script runs. */
 export function clear() {
   const [, body] = /<body[^>]*>([^]*)<\/body>/.exec(PAGE);
   window.document.body.innerHTML = body.replaceAll(/<script[^]*?<\/script>/g, "");
@@ -21,11 +21,11 @@ clear();
 /**
  * @param {ParentNode} root
  * @param {string} [selector]
- * @returns {HTMLElement[]} elements in it that match the selector, by default all, in the order of the document
+ * @returns {HTMLElement[]} elements in the root that match the selector, by default all, in the order of the document
  */
 export function all(root, selector = "*") {
   return [...root.querySelectorAll(selector)];
 }
 
-/** A style sheet is there as soon as it is asked for. */
+/** Style sheets count as loaded as soon as they are added. */
 window.document.head.append = (sheet) => sheet.onload?.();

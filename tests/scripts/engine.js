@@ -4,12 +4,12 @@ import { Engine } from "assur/engine.js";
 import { initSync } from "assur/pkg/assur_web.js";
 import { initialState } from "assur/state/state.js";
 
-/** The whole module: the page has it in two parts. */
+/** The whole module, which the page loads in two parts. */
 export const WASM = new URL("../../engine/assur_web_bg.wasm", import.meta.resolve("assur/pkg/assur_web.js"));
 
 let begun = false;
 
-/** @returns {Engine} a new one; all have one module of wasm */
+/** @returns {Engine} a new engine; all engines share one instance of the module */
 export function newEngine() {
   if (!begun) initSync({ module: readFileSync(WASM) });
   begun = true;

@@ -1,4 +1,4 @@
-// A page that nothing is drawn on: state, model and history with the engine, as app/page.js puts them together.
+// Page without elements: state, model and history with the engine, connected as in app/page.js.
 import "assur/tests/window.js";
 import { Shown } from "assur/controls/shown.js";
 import { choose } from "assur/state/change.js";
@@ -28,7 +28,7 @@ export class Page {
     choose(kind, document, edits, look, this);
   }
 
-  /** @returns what is shown now */
+  /** @returns the snapshot of the current state, with numbers due */
   now() {
     this.model.follow(this.store.get());
     return this.model.snapshot(this.store.get(), this.words.measured(this.engine.lengths), true);

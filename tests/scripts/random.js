@@ -1,4 +1,4 @@
-// Random input from a fixed seed, the same in every run. ASSUR_SEED changes it, ASSUR_SCALE multiplies how much of it there is.
+// Random input from a fixed seed, the same in every run. ASSUR_SEED changes the seed, ASSUR_SCALE multiplies the number of runs.
 
 const SEED = Number(process.env.ASSUR_SEED ?? 0x5eeda550);
 const SCALE = Number(process.env.ASSUR_SCALE ?? 1);
@@ -49,7 +49,7 @@ export class Dice {
 }
 
 /**
- * Runs a test for many random inputs; a failure names the seed that shows it again.
+ * Runs a test for many random inputs. The message of a failure names the seed that shows the failure again.
  * @param {number} times at scale 1
  * @param {(dice: Dice, run: number) => void} test
  */

@@ -1,4 +1,4 @@
-// A worksheet that is printed of a page on which nothing is drawn.
+// Printing of the worksheet of a page without a drawing.
 import { Context } from "assur/tests/canvas.js";
 import "assur/tests/document.js";
 import { printWorksheets } from "assur/export/worksheet.js";
@@ -13,7 +13,7 @@ globalThis.OffscreenCanvas = class OffscreenCanvas {
 /**
  * @param {import("assur/tests/page.js").Page} page
  * @param {readonly import("assur/lesson/panel.js").Told[]} steps of the open lesson
- * @param {(hidden: readonly string[]) => void} pose called before the sheet is made, with what is withheld on it
+ * @param {(hidden: readonly string[]) => void} pose called before the sheet is made, with the quantities that it withholds
  * @returns {HTMLElement} the worksheet
  */
 export function sheetOf(page, steps = [], pose = () => {}) {

@@ -1,4 +1,4 @@
-// What the page shows of a mechanism: its read-outs, by the views of the page.
+// Read-outs of a mechanism, made by the views of the page.
 import { clear } from "assur/tests/document.js";
 import { StatusLine } from "assur/controls/status.js";
 import { ENTRIES as TRAIN } from "assur/kinds/gear-train/status.js";

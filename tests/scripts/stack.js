@@ -1,17 +1,17 @@
-// The engine of the built page with little room on its stack: whatever is called then overflows it, as too deep a recursion would.
+// The engine of the built page without room on its stack: every call then overflows the stack, as too deep a recursion would.
 import { readFileSync } from "node:fs";
 import { initSync } from "assur/pkg/assur_web.js";
 import { WASM } from "assur/tests/engine.js";
 
-/** The sections of a wasm module that list its globals and what it exports, and the kind of a global in the second. */
+/** `GLOBALS`, `EXPORTS`: ids of these sections of a wasm module. `GLOBAL`: kind of an exported global. */
 const GLOBALS = 6;
 const EXPORTS = 7;
 const GLOBAL = 3;
-/** The global that compilers of the LLVM family keep the stack pointer in. */
+/** Index of the global in which compilers of the LLVM family keep the stack pointer. `NAME`: name under which it is exported here. */
 const STACK_POINTER = 0;
 const NAME = "stack_pointer";
 
-/** @type {WebAssembly.Instance} the instance that runs */
+/** @type {WebAssembly.Instance} the instance made last */
 let running;
 globalThis.WebAssembly.Instance = class extends WebAssembly.Instance {
   constructor(...args) {
@@ -20,7 +20,7 @@ globalThis.WebAssembly.Instance = class extends WebAssembly.Instance {
   }
 };
 
-/** Begins the module, its stack pointer exported as well: what is shipped has no such export. */
+/** Starts the module with its stack pointer as an additional export. The shipped module has no such export. */
 export function begin() {
   initSync({ module: withExport(readFileSync(WASM)) });
 }
@@ -32,13 +32,13 @@ export function exhaust() {
 
 /**
  * @param {Uint8Array} wasm
- * @returns {Uint8Array} the module with a stack of no size: all that it does overflows
+ * @returns {Uint8Array} the module with a stack of size 0, which every call overflows
  */
 export function withoutStack(wasm) {
   const bytes = Uint8Array.from(wasm);
   let at = 8;
   for (let [size, begin] = leb(bytes, at + 1); bytes[at] !== GLOBALS; [size, begin] = leb(bytes, at + 1)) at = begin + size;
-  // After the number of globals comes the first: i32, mutable, i32.const and its value, of which a number of as many bytes is made.
+  // The first global follows the number of globals: i32, mutable, i32.const and its value. The value is overwritten by 0, in as many bytes.
   const [, first] = leb(bytes, leb(bytes, at + 1)[1]);
   const [, end] = leb(bytes, first + 3);
   bytes.fill(0x80, first + 3, end - 1);
@@ -69,7 +69,7 @@ function withExport(wasm) {
 /**
  * @param {Uint8Array} bytes
  * @param {number} at
- * @returns {[number, number]} an unsigned number, and where it ends
+ * @returns {[number, number]} an unsigned number in LEB128, and the index after its end
  */
 function leb(bytes, at) {
   let value = 0;

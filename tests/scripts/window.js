@@ -1,7 +1,7 @@
 // The part of a browser's window that scripts need without a page: events and the classes of controls.
 import { setMaxListeners } from "node:events";
 
-/** Events of Node, also where a test has a document with events of its own. */
+/** Event class of Node, kept because a test with a document replaces the global class by that of the document. */
 const { Event } = globalThis;
 const view = new EventTarget();
 setMaxListeners(0, view);
@@ -16,7 +16,7 @@ globalThis.HTMLInputElement = class HTMLInputElement extends HTMLElement {
 
 /**
  * @param {string} type of an event
- * @param {object} [more] that the event has, as its target
+ * @param {object} [more] properties of the event, such as its target
  */
 export function happen(type, more = {}) {
   const event = new Event(type, { cancelable: true });

@@ -18,7 +18,7 @@ export function tableOf(lang) {
 
 /**
  * @param {string} lang
- * @param {string} [lengths] their unit
+ * @param {string} [lengths] unit of lengths
  */
 export function wordsOf(lang, lengths) {
   return new Words(lang, tableOf(lang), lengths);

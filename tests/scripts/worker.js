@@ -1,4 +1,4 @@
-// Workers of the page in Node: a thread that has what scripts of a worker ask for, and the page's side of it.
+// Workers of the page in Node: the thread with the functions that a worker's script needs, and the worker object on the page's side.
 import { readFile } from "node:fs/promises";
 import { Worker as Thread, isMainThread, parentPort, workerData } from "node:worker_threads";
 
@@ -8,9 +8,9 @@ if (!isMainThread) {
   await import(workerData.script);
 }
 
-/** A worker as browsers have it. */
+/** Stand-in for the worker of a browser. */
 export class Worker extends EventTarget {
-  /** @type {Set<Worker>} those that run */
+  /** @type {Set<Worker>} workers that have not been ended */
   static running = new Set();
   #thread;
 
@@ -40,12 +40,12 @@ export class Worker extends EventTarget {
   }
 }
 
-/** Ends all that run. */
+/** Ends all running workers. */
 export function endWorkers() {
   return Promise.all([...Worker.running].map((worker) => worker.terminate()));
 }
 
-/** Reads files as the page fetches them. */
+/** Stand-in for `fetch` that reads files, all with the media type of wasm. */
 export async function fetchFile(url) {
   return new Response(await readFile(new URL(url)), { headers: { "Content-Type": "application/wasm" } });
 }
