@@ -42,7 +42,7 @@ export class Engine {
   /** Whether the document may choose the unit of lengths. */
   choosesLengths = false;
   catalogue = new Catalogue(module.mixers(), () => this.functions.catalogue());
-  /** What the read-outs are of. */
+  /** Quantities and orders of the read-outs. */
   names = new Names([]);
 
   /** @type {Engine} engine of the page, never collected as garbage: the code that frees a simulator may not have loaded */
@@ -116,7 +116,7 @@ export class Engine {
   }
 
   /**
-   * Puts questions to a separate simulator. The simulator of the page stays as it is.
+   * Calls a separate simulator, which leaves the simulator of the page as it is.
    * @template T
    * @param {(other: module.Simulator) => T} questions
    * @returns {T}
@@ -135,7 +135,7 @@ export class Engine {
   }
 
   /**
-   * All values at an input, computed from one pose.
+   * Drawing, handles, read-outs and plotted values at an input, computed from one pose.
    * @param {number} input
    * @returns {PoseData}
    */
@@ -166,8 +166,8 @@ export class Engine {
   }
 
   /**
-   * Makes a call of the engine. An error without `problems` means that the instance is broken, and a new one takes
-   * over. This is also so if the second part did not load: the exception left the first part in the middle of a call.
+   * Makes a call of the engine. An error without `problems` means that the instance is broken: a new one replaces it, and the caller gets a
+   * refusal. The same applies if the second part did not load: the exception left the first part in the middle of a call.
    * @template T
    * @param {() => T} call
    * @returns {T}
@@ -186,8 +186,8 @@ export class Engine {
   }
 
   /**
-   * Starts a new instance of the module with the last accepted state. After a trap, the old instance is unusable: its
-   * stack stays full and its objects stay borrowed. All simulators of the old instance are lost.
+   * Starts a new instance of the module with the last accepted state, or without a state if that state breaks the new instance, too. After a
+   * trap, the old instance is unusable: its stack stays full and its objects stay borrowed. All simulators of the old instance are lost.
    */
   #renew() {
     module.__wbg_reset_state();

@@ -1,4 +1,4 @@
-// The assemblies of a linkage: no edit waits for them.
+// Tests that details of a summary, such as the assemblies of a linkage, are computed only when they are read.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { Simulator } from "assur/pkg/assur_web.js";
@@ -18,7 +18,7 @@ test("assemblies are found when they are first read, and only then", (t) => {
   assert.deepEqual(second.assembled, { number: 3, count: 6, complete: true });
   assert.deepEqual(second.assembled, { number: 3, count: 6, complete: true });
   assert.equal(asked, 1);
-  // A summary whose document has been replaced still has that document's assemblies.
+  // After its document has been replaced, a summary still gives the assemblies of that document.
   engine.set(stateOf(engine, "crank-rocker"));
   assert.deepEqual(first.assembled, { number: 3, count: 6, complete: true });
   assert.equal(asked, 2);
