@@ -67,7 +67,7 @@ export function inputNow({ store, model }) {
 }
 
 /**
- * Replaces the document with another, in one undo step.
+ * Replaces the document with another, without comparison and picture, in one undo step. The view is fitted to the new document.
  * @param {State["kind"]} kind
  * @param {State["document"]} document of that kind
  * @param {readonly Edit[]} edits changes that the engine makes to the document

@@ -52,9 +52,10 @@ export class Compared {
   }
 
   /**
+   * Makes A from the state, if A or a field of the view that it shares with B has changed.
    * @param {State} state
    * @param {Summary} summary of B
-   * @returns {Summary} the summary with bounds that also contain A
+   * @returns {Summary} the summary with bounds that also contain A, if A is shown
    */
   follow(state, summary) {
     const { compared, view } = state;
