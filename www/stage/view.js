@@ -1,4 +1,4 @@
-// The drawing of the mechanism on its canvas.
+// The drawing of the mechanism on its canvas: its layers, its fit and zoom, and the pictures that are made of it.
 import { Places } from "assur/canvas/places.js";
 import { Surface } from "assur/canvas/surface.js";
 import { Transform, Zoom } from "assur/canvas/transform.js";
