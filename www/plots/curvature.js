@@ -58,7 +58,7 @@ export class Curvature {
  * @returns {readonly Row[]} rows of the table, each in the colour of its circle in the drawing
  */
 function curvatureRows({ circles, inflection }, words, withheld) {
-  // The subscript distinguishes the centres of several paths, and the letters from those of hinges.
+  // The subscript, the name of the point or J, distinguishes the centres of several paths, and the letters R, K, D from names of hinges.
   /** @type {(role: string, letter: string, low: string, name: string, title: string, cells: readonly Cell[]) => Row} */
   const row = (role, letter, low, name, title, cells) => ({ title: `${letter} ${title}`, letter, low, name, role, cells });
   /** @type {(quantity: string, order: number, letter: string, name: string, said: Pick<Cell, "text" | "value" | "at" | "why" | "wide">) => Cell} */
