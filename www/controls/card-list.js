@@ -60,9 +60,9 @@ export class CardList {
   #kind;
   #store;
   #drafts;
-  /** The button that adds an entry. */
+  /** Button that adds an entry; disabled if the list has its greatest number of entries. */
   add;
-  /** The element with the cards. */
+  /** Element with the cards, whose id is the name of the list. */
   cards;
   /** @type {{ show: Show<K, E>, element: HTMLElement, remove: HTMLButtonElement }[]} */
   #cards = [];

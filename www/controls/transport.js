@@ -138,7 +138,7 @@ export class Transport {
   }
 
   /**
-   * Sets the scrubber to the whole axis. Its bar has gaps where the linkage cannot be assembled.
+   * Sets the scrubber to the whole axis, and writes the names and step sizes of the controls. The bar has gaps where the linkage cannot be assembled.
    * @param {Snapshot} snapshot
    * @param {number} first start of the axis, in the reader's unit
    */
