@@ -20,7 +20,7 @@ const MESSAGE_PERIOD = 8000;
 let leaving;
 
 /**
- * Edits the open document. Shows the reason if the edit is refused, and then returns null.
+ * Edits the open document, and shows the result at rest, with the drawing tools. Shows the reason if the edit is refused, and then returns null.
  * @param {Page} page
  * @param {Edit} wanted
  * @returns {Drawn | null}

@@ -82,7 +82,10 @@ export class Work {
     this.#end();
   }
 
-  /** @param {Target} target pressed target */
+  /**
+   * Applies a press to the tool in use. The state of unfinished bars is remembered for undo and redo.
+   * @param {Target} target
+   */
   press(target) {
     const act = ACTS[this.tool];
     if (act) act(this, target);
