@@ -52,7 +52,7 @@ const OWN = Object.freeze({
 });
 
 /**
- * Runs each command of the table when one of its keys is pressed.
+ * Runs each command of the table when one of its keys is pressed, and gives the keys to the elements with the same effect, for screen readers.
  * @param {import("assur/app/commands.js").Commands} commands
  */
 export function listen(commands) {

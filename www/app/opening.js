@@ -41,7 +41,7 @@ const MAX_FOREIGN = 2 ** 20 + 1;
 const MAX_TITLE = 400;
 
 /**
- * Makes a state from a value that comes from outside the page and is checked by the engine.
+ * Makes a state from a value that comes from outside the page, which the engine checks, and applies the settings of the visit to its view.
  * @param {Failure["kind"]} kind
  * @param {() => unknown} unwrap
  * @param {Engine} engine
@@ -144,8 +144,8 @@ export async function takeForeign(text, name, engine, habits) {
 }
 
 /**
- * Finds the first state: that of the address, or else the stored one, or else the first preset. Collects failures on
- * the way. A page embedded in another has no storage.
+ * Finds the first state: that of the address, or else the stored one, or else the first preset. Collects failures on the way, and puts a stored
+ * state aside that cannot be read. A page embedded in another has no storage.
  * @param {Engine} engine
  * @param {Habits} habits
  * @returns {Promise<Opening>}

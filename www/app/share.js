@@ -6,7 +6,7 @@ import { toFile } from "assur/state/codec.js";
 /** @typedef {import("assur/state/state.js").State} State */
 
 /**
- * Copies the URL of a state, or else shows the URL to be copied by hand.
+ * Shows the URL of a state in the address bar and copies it. If it cannot be copied, a dialog shows it to be copied by hand.
  * @param {State} state
  * @param {import("assur/state/address.js").Address} address
  * @returns {Promise<{ link: string, copied: boolean }>} the URL, and whether it is in the clipboard
