@@ -22,12 +22,14 @@ const WIDE = 800;
 const USUAL = Object.freeze({ width: 480, moments: 48, seconds: 4, poses: 8 });
 
 /**
+ * Makes the part of the export dialog for animations and for several poses in one picture.
  * @param {import("assur/app/page.js").Page} page
  * @param {import("assur/canvas/theme.js").Theme} theme
  * @param {string} name first part of the file names
  * @param {() => string} title gives a description of the picture
  * @param {HTMLElement} said element for the result: the name of the written file, the reason for a failure, or a note that the work was cancelled
- * @returns {{ rows: (Node | string)[], working: HTMLElement, stop: () => void }} `working`: progress, shown while a file is written
+ * @returns {{ rows: (Node | string)[], working: HTMLElement, stop: () => void }} `rows`: elements of the dialog. `working`: progress, shown while a
+ * file is written. `stop`: cancels the work
  */
 export function animations(page, theme, name, title, said) {
   const { words } = page;

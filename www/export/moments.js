@@ -53,7 +53,8 @@ export function others(page, count) {
 }
 
 /**
- * Yields the moments of the present mechanism in turn. Between two moments the page may do other work.
+ * Yields the moments of the present mechanism in turn. Between two moments the page may do other work. Throws an `AbortError` if the mechanism
+ * is replaced meanwhile, and a `Refusal` if it cannot be assembled at any of the inputs.
  * @param {Page} page
  * @param {readonly number[]} inputs of the engine
  * @param {Job} work
