@@ -25,7 +25,7 @@ const VALUES = Object.freeze(/** @type {Record<string, readonly string[] | RegEx
   lang: LANGUAGES,
 }));
 
-/** Commands available in a frame: `MOVING` always, `EDITING` if the mechanism may be changed. */
+/** Commands available in a frame: `MOVING` always, `EDITING` if the mechanism may be changed. A frame with the whole page and editing has all. */
 const MOVING = Object.freeze(["play", "back", "forward", "back10", "forward10", "start", "end", "faster", "slower", "reverse", "all", "close"]);
 const EDITING = Object.freeze(["assembly1", "assembly2", "trace", "undo", "redo"]);
 
