@@ -189,7 +189,7 @@ function keyOf(item) {
 /**
  * @param {Relation} relation
  * @param {Words} words
- * @returns {string} the correct value and, if it is different, the value by the printed relation
+ * @returns {string} the correct value; if the printed relation gives another value, also that and the difference; if it gives none, a note
  */
 export function compared({ item, name, angle, turned, count, value, printed }, words) {
   const said = (/** @type {string} */ common) => {

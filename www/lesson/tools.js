@@ -6,7 +6,8 @@ import { fieldOf } from "assur/lesson/field.js";
 
 /**
  * @typedef {Readonly<{ controls?: readonly string[], readouts?: readonly string[], lends?: readonly string[] }>} Wanted
- * Tools of a step. `controls`: fields of the controls. `readouts`: names of read-outs. `lends`: ids of parts of the page.
+ * Tools of a step. `controls`: fields whose controls are moved into the step. `readouts`: names of read-outs that are copied into it. `lends`:
+ * ids of parts of the page that are moved into it.
  * @typedef {import("assur/state/state.js").State["document"]} Document
  * @typedef {{ element: HTMLElement, home: Comment, open: boolean }} Borrowed
  * `element`: the borrowed element. `home`: placeholder where the element belongs. `open`: whether the element was unfolded.
@@ -47,7 +48,7 @@ export class Tools {
     this.borrow();
   }
 
-  /** Gives back all borrowed elements. */
+  /** Gives back all borrowed elements, and forgets the step. */
   close() {
     this.#watch.disconnect();
     this.#shown.changed = () => {};
