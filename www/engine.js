@@ -116,7 +116,7 @@ export class Engine {
   }
 
   /**
-   * Calls a separate simulator, which leaves the simulator of the page as it is.
+   * Calls a function with a separate simulator. The simulator of the page stays as it is.
    * @template T
    * @param {(other: module.Simulator) => T} questions
    * @returns {T}
@@ -146,6 +146,7 @@ export class Engine {
   }
 
   /**
+   * Paints the curves of the plots, with those of mechanism A if it is shown.
    * @param {import("assur/canvas/painter.js").Context} context
    * @param {import("assur/types/web.js").ChartRequest} request
    * @returns {import("assur/types/web.js").ChartLayout} layout of the plots, by which the page adds their text
