@@ -29,10 +29,10 @@
  */
 
 /** Overlays of the drawing. */
-export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others", "instant_centres", "centrodes", "curvature"]));
+export const OVERLAYS = Object.freeze(/** @type {const} */ (["traces", "centres", "vectors", "loop_vectors", "transmission", "groups", "numbers", "others", "instant_centres", "centrodes", "curvature", "forces"]));
 
 /** Fields of the view that show or hide something in the drawing, in the plots or beside them. */
-export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "forces", "force_plan", "under_load", "differenced"]));
+export const SWITCHES = Object.freeze(/** @type {const} */ ([...OVERLAYS, "all_assemblies", "polygons", "force_plan", "under_load", "differenced"]));
 
 /** Fields of the view that affect the engine's drawing or that the engine may refuse. */
 export const DRAWN = Object.freeze(

@@ -72,6 +72,17 @@ pub enum Kind {
     Angle,
     /// Lengths.
     Length,
+    /// Forces, which have no derivatives.
+    Force,
+    /// Torques, which have no derivatives.
+    Torque,
+}
+
+impl Kind {
+    /// Whether derivatives are plotted, too.
+    pub fn has_derivatives(self) -> bool {
+        matches!(self, Self::Angle | Self::Length)
+    }
 }
 
 /// A plotted quantity.
@@ -222,6 +233,11 @@ impl Chart {
 
     /// Lays out the panels in an area. Returns none if the area is too small.
     fn panels(&self, (width, height): (u32, u32), scale: f64, only: Option<usize>) -> Vec<Panel> {
+        let only = if self.kind.has_derivatives() {
+            only
+        } else {
+            Some(0)
+        };
         let plots = self.plots.iter().enumerate();
         let plots = plots.filter(|(order, _)| only.is_none_or(|only| only == *order));
         let plots: Vec<(usize, &Plot)> = plots.collect();

@@ -22,6 +22,7 @@ use assur::motion::Motion;
 use assur::{Point, Vector};
 
 use crate::annotations::{Annotations, Tag};
+use crate::force_arrows::{self, ForceArrow, ForceScale};
 use crate::list::{List, Look, Role};
 use crate::overlays::{self, Overlays};
 use crate::parts::{self, BAR};
@@ -32,6 +33,7 @@ use names::Names;
 use numbers::Number;
 use overlaid::Overlaid;
 use paths::Path;
+pub use plots::Values;
 use posed::Posed;
 use slides::Guide;
 use wheels::Gearing;
@@ -257,6 +259,18 @@ impl Figure {
         let mut numbers = self.bodies(pose);
         numbers.extend(list.numbers());
         numbers
+    }
+
+    /// Adds arrows of forces to a frame.
+    pub fn add_forces(&self, frame: &mut Vec<f32>, arrows: &[ForceArrow], scale: ForceScale) {
+        let mut list = List::default();
+        force_arrows::draw(&mut list, arrows, scale, self.unit);
+        frame.extend(list.numbers());
+    }
+
+    /// Size of the drawing, in the unit of lengths.
+    pub fn size(&self) -> f64 {
+        bounds::size(self.bounds)
     }
 
     /// Returns the poses of the bodies, with which a frame begins: `n, x₀, y₀, θ₀, …`.

@@ -50,6 +50,11 @@ roles! {
     Accent7 = "accent7",
     Loose = "loose",
     Locked = "locked",
+    Reaction = "reaction",
+    Force = "force",
+    Weight = "weight",
+    Inertia = "inertia",
+    Torque = "torque",
 }
 
 impl Role {

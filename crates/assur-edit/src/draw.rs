@@ -2,7 +2,7 @@
 
 use assur::linkage::COINCIDENT;
 use assur::mechanism::{Defect, FRAME};
-use assur::{Point, Vector, nearest};
+use assur::{Point, Vector, nearest, perpendicular};
 use assur_file::{
     LinkDocument, LinkageDocument, LinkageProblem, PointDocument, SlideDocument, TracerDocument,
 };
@@ -87,6 +87,12 @@ impl Drawing {
             Edit::Part { point } => self.part(point),
             Edit::Trace { link, at } => self.trace(link, *at),
             Edit::Mass { link, at } => self.mass(link, *at),
+            Edit::Centre { link, on } => self.centre(link, *on),
+            Edit::Uniform {
+                link,
+                section,
+                density,
+            } => self.uniform(link, *section, *density),
             Edit::Move { points, by } => self.shift(points, *by),
             Edit::Place { point, at } => self.place(point, *at),
             Edit::Stretch { link, length } => self.stretch(link, *length),
@@ -212,7 +218,7 @@ impl Drawing {
     }
 
     /// Adds an existing point to a link, at the place where the point is drawn.
-    fn list(&mut self, link: &str, point: &str) -> Done {
+    pub(crate) fn list(&mut self, link: &str, point: &str) -> Done {
         let own = &self.linked(link)?.points;
         if own.iter().any(|one| one == point) {
             let (link, point) = (link.to_owned(), point.to_owned());
@@ -331,8 +337,20 @@ impl Drawing {
 
     /// Coordinates of a place on a link: the origin is the link's first point, and x points towards its second.
     pub(crate) fn on_link(&self, link: &str, at: Point) -> Result<[f64; 2], LinkageProblem> {
-        let points = &self.linked(link)?.points;
-        let mut places = points.iter().map(|point| self.at(point));
+        let (first, along) = self.axes_of(link)?;
+        let off = at - first;
+        Ok([off.dot(&along), along.perp(&off)])
+    }
+
+    /// The place of coordinates on a link.
+    pub(crate) fn off_link(&self, link: &str, on: Vector) -> Result<Point, LinkageProblem> {
+        let (first, along) = self.axes_of(link)?;
+        Ok(first + along * on.x + perpendicular(along) * on.y)
+    }
+
+    /// The first point of a link and the direction from it to the second.
+    fn axes_of(&self, link: &str) -> Result<(Point, Vector), LinkageProblem> {
+        let mut places = self.linked(link)?.points.iter().map(|point| self.at(point));
         let bare = || Defect::Bare {
             link: link.to_owned(),
         };
@@ -341,8 +359,7 @@ impl Drawing {
             Some(second) => (second? - first).normalize(),
             None => Vector::x(),
         };
-        let off = at - first;
-        Ok([off.dot(&along), along.perp(&off)])
+        Ok((first, along))
     }
 }
 

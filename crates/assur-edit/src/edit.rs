@@ -51,6 +51,16 @@ pub enum Edit {
     Trace { link: String, at: [f64; 2] },
     /// Puts the centre of mass of a link at a place; without a place, removes it.
     Mass { link: String, at: Option<[f64; 2]> },
+    /// Puts the centre of mass of a link at these coordinates on it: from its first point towards the second, and to the
+    /// left. A centre of mass that is a point of this link alone is moved; otherwise a point is added.
+    Centre { link: String, on: [f64; 2] },
+    /// Makes a link a uniform bar between its first two points, with the mass that a section (an area) and a density
+    /// (kilograms per cubic metre) give.
+    Uniform {
+        link: String,
+        section: f64,
+        density: f64,
+    },
     /// Moves points by a displacement.
     Move { points: Vec<String>, by: [f64; 2] },
     /// Moves a point or a traced point to a place.

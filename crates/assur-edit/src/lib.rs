@@ -9,6 +9,7 @@
 //! | `edit.rs` | every edit as data |
 //! | `draw.rs`, `drive.rs`, `dyads.rs` | additions; drivers, meshes, fixed points and links; dyads |
 //! | `reshape.rs`, `remove.rs`, `selection.rs`, `names.rs` | moving, turning, mirroring; removal; copying and pasting; free names |
+//! | `masses.rs` | centres of mass, uniform bars |
 //! | `locks.rs` | lengths and angles kept while points are moved |
 //! | `advice.rs` | reasons why a drawing does not move, and the edits that would let it move |
 
@@ -18,6 +19,7 @@ mod drive;
 mod dyads;
 mod edit;
 mod locks;
+mod masses;
 mod names;
 mod remove;
 mod reshape;

@@ -36,7 +36,7 @@ pub use kinds::linkage::{
     AnchorDocument, DamperDocument, DriverDocument, ForceUnits, GearDocument, HarmonicDocument,
     LinkDocument, LinkageDocument, LinkageProblem, LoadDocument, MeshDocument, MotorDocument,
     PointDocument, SlideDocument, SpringDocument, TracerDocument, dimension_field, in_field,
-    of_field, rate_field,
+    is_of_forces, of_field, rate_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::numbers::NumberField;

@@ -122,7 +122,7 @@ pub(crate) struct AxisLayout<'a> {
     number: Option<&'a str>,
     #[cfg_attr(test, ts(type = "0 | 1 | 2"))]
     order: usize,
-    #[cfg_attr(test, ts(type = "\"angle\" | \"length\""))]
+    #[cfg_attr(test, ts(type = "\"angle\" | \"length\" | \"force\" | \"torque\""))]
     kind: &'static str,
     from: f64,
     to: f64,
@@ -134,7 +134,7 @@ pub(crate) struct AxisLayout<'a> {
 pub(crate) struct PanelLayout<'a> {
     #[cfg_attr(test, ts(type = "0 | 1 | 2"))]
     order: usize,
-    #[cfg_attr(test, ts(type = "\"angle\" | \"length\""))]
+    #[cfg_attr(test, ts(type = "\"angle\" | \"length\" | \"force\" | \"torque\""))]
     kind: &'static str,
     physical: bool,
     differenced: bool,
@@ -255,6 +255,8 @@ fn kind(kind: Kind) -> &'static str {
     match kind {
         Kind::Angle => "angle",
         Kind::Length => "length",
+        Kind::Force => "force",
+        Kind::Torque => "torque",
     }
 }
 

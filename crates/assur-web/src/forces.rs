@@ -1,99 +1,80 @@
-//! Forces of a linkage at an input.
+//! A linkage under load: its masses and loads, with the rate of its input.
+
+use std::cell::OnceCell;
 
 use assur::forces::{Kinetostatics, Loading, Reactions};
 use assur::mechanism::{Mechanism, Pose};
-use assur_file::{LinkageDocument, LinkageProblem, Problem};
-use serde::Serialize;
+use assur_draw::ForceScale;
+use assur_file::{ForceUnits, LinkageDocument, LinkageProblem, Problem, View};
 
 use crate::moving::Moving;
+use crate::reactions::GreatestHere;
 
 /// The loading of a linkage, and the order in which its reactions are found.
 pub(crate) struct Forces {
+    pub(crate) mechanism: Mechanism,
     pub(crate) loading: Loading,
     pub(crate) statics: Kinetostatics,
+    /// The engine's units in N and N·m.
+    pub(crate) units: ForceUnits,
+    /// Speed and acceleration of the input: ω₁ and ε₁ of the view, whatever the axes.
+    pub(crate) rates: [f64; 2],
+    /// The greatest reactions over the motion, computed when first asked for.
+    pub(crate) greatest: OnceCell<Vec<GreatestHere>>,
+    /// Scale of the arrows over the motion, computed when first drawn.
+    pub(crate) scale: OnceCell<ForceScale>,
 }
 
 impl Forces {
+    /// The loading of a document's mechanism.
+    ///
+    /// # Errors
+    /// Every problem of gravity, loads, springs, dampers and motor.
     pub(crate) fn new(
         document: &LinkageDocument,
         mechanism: &Mechanism,
-    ) -> Result<Self, Vec<LinkageProblem>> {
+        view: &View,
+    ) -> Result<Self, Vec<Problem>> {
+        let loading = document.loading(mechanism).map_err(Problem::all)?;
+        let motor = document.motor(mechanism);
+        motor.map_err(|problem| vec![problem.into()])?;
         Ok(Self {
-            loading: document.loading(mechanism)?,
+            loading,
             statics: Kinetostatics::new(mechanism),
+            mechanism: mechanism.clone(),
+            units: document.force_units(),
+            rates: [view.omega, view.epsilon],
+            greatest: OnceCell::new(),
+            scale: OnceCell::new(),
         })
     }
-}
 
-/// Reactions of all pairs at an input.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub(crate) struct ForcesHere {
-    reactions: Vec<ReactionHere>,
-}
-
-/// Reaction of a pair, in newtons and newton metres.
-#[derive(Serialize)]
-#[cfg_attr(test, derive(ts_rs::TS))]
-pub(crate) struct ReactionHere {
-    pair: String,
-    /// Link on which it acts.
-    on: String,
-    /// Link that exerts it.
-    from: String,
-    /// Components of the force and moment; null if statically indeterminate.
-    x: Option<f64>,
-    y: Option<f64>,
-    moment: Option<f64>,
+    /// Writes the reactions in a pose at an input into `found`.
+    ///
+    /// # Errors
+    /// The pose is singular.
+    pub(crate) fn balance(
+        &self,
+        pose: &Pose<3>,
+        input: f64,
+        found: &mut Reactions,
+    ) -> Result<(), Problem> {
+        let balanced = (self.statics).balance(&self.loading, pose, input, self.rates, found);
+        balanced.map_err(|why| LinkageProblem::unbalanced(why, &self.mechanism).into())
+    }
 }
 
 impl Moving {
-    /// Reactions of all pairs at an input, at ω₁ and ε₁ of the view.
-    ///
-    /// # Errors
-    /// Every defect of the loads; the reason why there is no pose, or no equilibrium in it.
-    pub(crate) fn forces_at(&self, input: f64) -> Result<ForcesHere, Vec<Problem>> {
-        let units = self.document().force_units();
-        let (_, found) = self.balanced(input)?;
-        let mechanism = self.mechanism();
-        let forces = self.forces().map_err(all)?;
-        let reactions = forces.statics.pairs().map(|(id, pair)| {
-            let reaction = found.of(id);
-            let [x, y] = reaction
-                .force
-                .map(|part| part.map(|part| part * units.force()));
-            let [on, from] = pair.bodies.map(|body| mechanism.body_name(body).to_owned());
-            ReactionHere {
-                pair: pair.name(mechanism),
-                on,
-                from,
-                x,
-                y,
-                moment: reaction.moment.map(|moment| moment * units.torque()),
-            }
-        });
-        Ok(ForcesHere {
-            reactions: reactions.collect(),
-        })
-    }
-
     /// The pose at an input with its reactions, at ω₁ and ε₁ of the view.
     ///
     /// # Errors
-    /// Every defect of the loads; the reason why there is no pose, or no equilibrium in it.
+    /// The reason why there is no pose, or no equilibrium in it.
     pub(crate) fn balanced(&self, input: f64) -> Result<(Pose<3>, Reactions), Vec<Problem>> {
-        let forces = self.forces().map_err(all)?;
         let pose = self.motion().pose(input);
         let pose = pose.map_err(|why| vec![self.problem(&why)])?;
-        let found = forces
-            .statics
-            .reactions(&forces.loading, &pose, input, self.force_rates());
-        let found =
-            found.map_err(|why| vec![LinkageProblem::unbalanced(why, self.mechanism()).into()])?;
+        let mut found = Reactions::default();
+        let balanced = self.forces().balance(&pose, input, &mut found);
+        balanced.map_err(|problem| vec![problem])?;
         Ok((pose, found))
     }
-}
-
-fn all(problems: &[LinkageProblem]) -> Vec<Problem> {
-    problems.iter().cloned().map(Problem::from).collect()
 }

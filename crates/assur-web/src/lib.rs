@@ -6,6 +6,7 @@
 //! | `moving.rs`, `summary.rs`, `profile.rs`, `here.rs` | a moving linkage; summary of its motion; strokes and dwells; numbers at an input |
 //! | `driven.rs`, `dimensions.rs`, `change.rs`, `handle.rs` | dragging the driver; dimensions; changes made by hand; handles |
 //! | `table.rs`, `chart.rs`, `equations.rs`, `polygons.rs`, `curvature.rs` | tables, plots, constraint equations, polygons, curvature |
+//! | `forces.rs`, `reactions.rs`, `force_quantity.rs`, `masses.rs` | a linkage under load; its reactions; forces that can be plotted; masses |
 //! | `design.rs` | the search for a dwell |
 //! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | checked input from outside; starting documents; files of other programs; JavaScript values; a canvas as a backend of plotters |
 
@@ -17,17 +18,20 @@ mod canvas;
 mod capabilities;
 mod change;
 mod chart;
+mod column;
 mod convert;
 mod curvature;
 mod design;
 mod dimensions;
 mod driven;
 mod equations;
+mod force_quantity;
 mod forces;
 mod handle;
 mod here;
 mod imported;
 mod kinds;
+mod masses;
 mod measures;
 mod moving;
 mod numbers;
@@ -36,6 +40,7 @@ mod pair;
 mod polygons;
 mod profile;
 mod qr;
+mod reactions;
 mod received;
 mod simulator;
 mod summary;
@@ -51,7 +56,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const TYPES: &str = r#"
 import type { Edit } from "assur/types/edit.js";
 import type { DocumentOf, LengthUnit, LessonDocument, LinkageDocument, NumberField, PositionDocument, Preset, Problem, Shelf, View } from "assur/types/file.js";
-import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, Drawn, EquationSummary, ForcesHere, Here, Imported, Kind, LinkHere, MotionsMap, OutputSummary, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, State, StepSummary, Summaries, SweepTable, Traced, TransmissionSummary, Wishes } from "assur/types/web.js";
+import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, Drawn, EquationSummary, ForcesHere, GreatestHere, Here, Imported, Kind, LinkHere, MassHere, MotionsMap, OutputSummary, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, State, StepSummary, Summaries, SweepTable, Traced, TransmissionSummary, Wishes } from "assur/types/web.js";
 export interface Simulator {
     set<K extends Kind>(state: State<K>): Summaries[K];
     asKind<K extends Kind>(kind: K, input: number): DocumentOf<K>;

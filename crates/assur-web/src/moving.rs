@@ -5,18 +5,22 @@ use std::collections::BTreeMap;
 
 use assur::Point;
 use assur::mechanism::{Following, LinkId, Mechanism, PointId, Pose, Quantity, Unsolved};
-use assur::motion::{Column, InputRate, Motion};
+use assur::motion::{InputRate, Motion};
 use assur_draw::chart::{Against, Chart, Settings};
 use assur_draw::{Annotations, Figure, Lines, Overlays, PolygonSheet, Role, View as Drawing};
-use assur_file::{Axes, LinkDocument, LinkageDocument, LinkageProblem, Moved, Problem, View};
+use assur_file::{Axes, LinkDocument, LinkageDocument, Moved, Problem, View, is_of_forces};
 
+use crate::column::Column;
 use crate::driven::Driven;
 use crate::equations::sides;
+use crate::force_quantity::ForceQuantity;
 use crate::forces::Forces;
 use crate::handle::{Handle, HandlePlace};
 use crate::measures::measures;
 use crate::pair::Pair;
 
+mod arrows;
+mod plotted;
 mod reading;
 
 /// Turns the reason why an input has no pose, or no derivatives, into a problem.
@@ -37,6 +41,8 @@ pub(crate) struct Moving {
     listed: Vec<Quantity>,
     measures: Vec<Quantity>,
     plotted: Vec<Quantity>,
+    /// Forces that are plotted in place of quantities of the motion; empty if there are none.
+    plotted_forces: Vec<ForceQuantity>,
     /// Colour roles of the curves.
     plotted_roles: Vec<Role>,
     /// Two quantities plotted against each other, in place of the plots over the input.
@@ -48,6 +54,8 @@ pub(crate) struct Moving {
     traceable: bool,
     /// Whether the other assemblies are drawn beside the linkage.
     others: bool,
+    /// Whether arrows of forces are drawn.
+    arrows: bool,
     /// Whether circles of curvature are drawn; they need a further derivative.
     curvature: bool,
     figure: Figure,
@@ -58,10 +66,7 @@ pub(crate) struct Moving {
     against: OnceCell<Against>,
     /// Sheets of the velocity and acceleration polygons, computed when first drawn.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
-    /// Loading and order of equilibrium, made when forces are first asked for.
-    forces: OnceCell<Result<Forces, Vec<LinkageProblem>>>,
-    /// Speed and acceleration of the input for forces: ω₁ and ε₁ of the view, whatever the axes.
-    rates: [f64; 2],
+    forces: Forces,
     explain: Explain,
 }
 
@@ -90,13 +95,21 @@ impl Moving {
                 return Err(vec![Problem::UnknownChoice { field }]);
             }
         }
-        let pair = Pair::of(view, |name| Column::named(mechanism, name))?;
+        let forces = Forces::new(&document, mechanism, view)?;
+        let pair = Pair::of(view, |name| Column::named(mechanism, &forces, name))?;
+        let plotted_forces = if plotted.is_empty() && is_of_forces(&view.plot) {
+            let field = "plot".into();
+            ForceQuantity::plotted(&forces, &view.plot)
+                .ok_or_else(|| vec![Problem::UnknownChoice { field }])?
+        } else {
+            Vec::new()
+        };
         let measures = measures(view, mechanism)?;
         let point = |name: &String| mechanism.point(name);
         // The path of a point whose x is plotted is also drawn.
         let of_pair = pair
             .iter()
-            .flat_map(|pair| pair.quantities(|one| one.quantity));
+            .flat_map(|pair| pair.quantities(|one| Some(one.kinematic()?.quantity)));
         let of_plot = plotted.iter().copied().chain(of_pair);
         let of_plot = of_plot.filter_map(|one| match one {
             Quantity::X(point) => Some(point),
@@ -128,16 +141,17 @@ impl Moving {
             handles: Handle::of_points(mechanism, &figure),
             traceable: true,
             others: view.others,
+            arrows: view.forces,
             curvature: view.curvature,
             settings: settings(view),
             chart: OnceCell::new(),
             against: OnceCell::new(),
             polygon_sheets: OnceCell::new(),
-            forces: OnceCell::new(),
-            rates: [view.omega, view.epsilon],
+            forces,
             plotted_roles: figure.plotted_roles(&plotted),
             pair,
             plotted,
+            plotted_forces,
             figure,
             motion,
             following: OnceCell::new(),
@@ -190,18 +204,8 @@ impl Moving {
     }
 
     /// Loading and order of equilibrium.
-    ///
-    /// # Errors
-    /// Every defect of the document's loads.
-    pub(crate) fn forces(&self) -> Result<&Forces, &[LinkageProblem]> {
-        let made = || Forces::new(&self.document, self.mechanism());
-        let forces = self.forces.get_or_init(made);
-        forces.as_ref().map_err(Vec::as_slice)
-    }
-
-    /// Speed and acceleration of the input for forces: ω₁ and ε₁ of the view, whatever the axes.
-    pub(crate) fn force_rates(&self) -> [f64; 2] {
-        self.rates
+    pub(crate) fn forces(&self) -> &Forces {
+        &self.forces
     }
 
     /// Speed and acceleration of the input for plots, polygons and read-outs: those of the view if its axes are
@@ -260,7 +264,7 @@ impl Moving {
     /// The quantities of the plotted curves.
     pub(crate) fn curves(&self) -> Vec<Quantity> {
         match &self.pair {
-            Some(pair) => pair.quantities(|column| column.quantity),
+            Some(pair) => pair.quantities(|one| Some(one.kinematic()?.quantity)),
             None => self.plotted.clone(),
         }
     }

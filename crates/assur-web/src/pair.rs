@@ -37,10 +37,10 @@ impl<C> Pair<C> {
         }
     }
 
-    /// The quantities of both axes, without duplicates.
-    pub(crate) fn quantities<Q: PartialEq>(&self, of: impl Fn(&C) -> Q) -> Vec<Q> {
+    /// The quantities of both axes, without duplicates and without columns of which `of` is none.
+    pub(crate) fn quantities<Q: PartialEq>(&self, of: impl Fn(&C) -> Option<Q>) -> Vec<Q> {
         let columns = self.x.iter().chain([&self.y]);
-        let mut quantities: Vec<Q> = columns.map(of).collect();
+        let mut quantities: Vec<Q> = columns.filter_map(of).collect();
         quantities.dedup();
         quantities
     }

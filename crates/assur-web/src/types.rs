@@ -9,7 +9,6 @@ use crate::chart::{ChartLayout, ChartRequest};
 use crate::curvature::CurvatureHere;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::equations::EquationSummary;
-use crate::forces::ForcesHere;
 use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
@@ -19,8 +18,10 @@ use crate::kinds::synthesis::options::{FamilySummary, FoundSummary};
 use crate::kinds::synthesis::plane::PlaneSummary;
 use crate::kinds::synthesis::summary::SynthesisSummary;
 use crate::kinds::synthesis::wanted::{PrintedSummary, WantedSummary};
+use crate::masses::MassHere;
 use crate::polygons::PolygonsHere;
 use crate::profile::ProfileSummary;
+use crate::reactions::{ForcesHere, GreatestHere};
 use crate::summary::{
     CourseSummary, MotionSummary, OutputSummary, StructureSummary, TransmissionSummary,
 };
@@ -72,7 +73,6 @@ fn the_scripts_know_what_crosses_the_border() {
     type Here = (
         AssembliesHere,
         PolygonsHere,
-        ForcesHere,
         CurvatureHere<'static>,
         LinkHere,
         RelationHere,
@@ -81,6 +81,7 @@ fn the_scripts_know_what_crosses_the_border() {
         crate::here::Here,
         crate::here::ReadoutId,
     );
+    type Forces = (ForcesHere, GreatestHere, MassHere);
     type Shown = (
         ChartRequest,
         ChartLayout<'static>,
@@ -91,8 +92,14 @@ fn the_scripts_know_what_crosses_the_border() {
         StepSummary,
         ReachedSummary,
     );
-    assert_declared::<(Parts, Details, Moving, Still, Synthesis, Here, Shown)>(
-        env!("CARGO_MANIFEST_DIR"),
-        HEAD,
-    );
+    assert_declared::<(
+        Parts,
+        Details,
+        Moving,
+        Still,
+        Synthesis,
+        Here,
+        Forces,
+        Shown,
+    )>(env!("CARGO_MANIFEST_DIR"), HEAD);
 }

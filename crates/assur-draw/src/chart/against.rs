@@ -197,11 +197,12 @@ impl Against {
         Some(field)
     }
 
-    /// Returns the ranges of the axes. Both scales are equal if both axes show lengths, or derivatives of lengths of
-    /// the same order.
+    /// Returns the ranges of the axes. Both scales are equal if both axes show forces, or lengths, or derivatives of
+    /// lengths of the same order.
     fn fitted(&self, size: [f64; 2]) -> [Range; 2] {
         let [x, y] = &self.axes;
-        let alike = x.order == y.order && [x, y].iter().all(|axis| axis.kind == Kind::Length);
+        let vector = matches!(x.kind, Kind::Length | Kind::Force);
+        let alike = x.order == y.order && x.kind == y.kind && vector;
         if !alike {
             return self.ranges;
         }

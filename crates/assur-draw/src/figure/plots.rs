@@ -8,7 +8,7 @@ use assur::mechanism::{Mechanism, Pose, Quantity, RrrDyad};
 use assur::motion::{Column, DeadPoint};
 
 use super::{Figure, paths};
-use crate::chart::{Against, Axis, Chart, Kind, Sample, Series, Settings, sampled, sampling};
+use crate::chart::{Against, At, Axis, Chart, Kind, Sample, Series, Settings, sampled, sampling};
 use crate::list::Role;
 
 /// Transmission angle above which values determine the ranges of axes. At smaller angles a dead point, where the links
@@ -20,6 +20,9 @@ const CLEAR_SHARE: f64 = 0.04;
 
 /// Colours for further coordinates or distances of the same kind, such as `C.x` after `B.x`.
 const FURTHER: [Role; 3] = [Role::Accent2, Role::Accent1, Role::Crank];
+
+/// Values in a pose at an input, with derivatives if they have any; none where they are unbounded.
+pub type Values<'a> = &'a dyn Fn(f64, &Pose<3>) -> Option<Vec<Jet<3>>>;
 
 fn kind_of(quantity: &Quantity) -> Kind {
     if quantity.is_angle() {
@@ -75,7 +78,7 @@ impl Figure {
         let sample = |input: f64| {
             let pose = &mut *room.borrow_mut();
             self.sample(input, pose, &ends, |pose| {
-                quantities.iter().map(|q| q.of(mechanism, pose)).collect()
+                Some(quantities.iter().map(|q| q.of(mechanism, pose)).collect())
             })
         };
         let kind = quantities.first().map_or(Kind::Angle, kind_of);
@@ -83,23 +86,58 @@ impl Figure {
         Chart::new(motion.cycle(), kind, series.collect(), &runs, settings)
     }
 
+    /// Makes the chart of values without derivatives, such as forces, over the motion. `values` gives the values in a
+    /// pose at an input, in the order of `series`; none where they are unbounded.
+    pub fn chart_of_values(
+        &self,
+        kind: Kind,
+        series: Vec<Series>,
+        settings: Settings,
+        values: Values<'_>,
+    ) -> Chart {
+        let runs = self.sampled_values(series.len(), values);
+        Chart::new(self.motion.cycle(), kind, series, &runs, settings)
+    }
+
     /// Makes the plot of a column over the motion against another column or, if `x` is none, against the input.
     pub fn against(&self, x: Option<Column>, y: Column, settings: Settings) -> Against {
-        let (motion, mechanism) = (&self.motion, self.motion.mechanism());
-        let ends = self.ends();
-        let room = RefCell::new(mechanism.blank::<3>());
-        let sample = |input: f64| {
-            let pose = &mut *room.borrow_mut();
-            self.sample(input, pose, &ends, |pose| {
-                let abscissa = x.map(|x| x.quantity.of(mechanism, pose));
-                let abscissa = abscissa.unwrap_or(Jet::linear(input, 1.0));
-                vec![abscissa, y.quantity.of(mechanism, pose)]
-            })
-        };
-        let runs = sampled(motion.samples(sampling(2)), &sample);
+        let mechanism = self.motion.mechanism();
         let axes = [x, Some(y)].map(|column| axis(mechanism, column));
         let role = self.own_role(y.quantity);
-        Against::new(axes, role, &runs, motion.cycle().is_full(), settings)
+        self.against_values(axes, role, settings, &|input, pose| {
+            let abscissa = x.map(|x| x.quantity.of(mechanism, pose));
+            let abscissa = abscissa.unwrap_or(Jet::linear(input, 1.0));
+            Some(vec![abscissa, y.quantity.of(mechanism, pose)])
+        })
+    }
+
+    /// Makes the plot of one value over the motion against another; `values` gives abscissa and ordinate in a pose at an
+    /// input, none where they are unbounded.
+    pub fn against_values(
+        &self,
+        axes: [Axis; 2],
+        role: Role,
+        settings: Settings,
+        values: Values<'_>,
+    ) -> Against {
+        let runs = self.sampled_values(2, values);
+        Against::new(axes, role, &runs, self.motion.cycle().is_full(), settings)
+    }
+
+    /// The axis of a column or, if none is given, of the input.
+    pub fn axis(&self, column: Option<Column>) -> Axis {
+        axis(self.motion.mechanism(), column)
+    }
+
+    fn sampled_values(&self, count: usize, values: Values<'_>) -> Vec<Vec<At>> {
+        let motion = &self.motion;
+        let ends = self.ends();
+        let room = RefCell::new(motion.mechanism().blank::<3>());
+        let sample = |input: f64| {
+            let pose = &mut *room.borrow_mut();
+            self.sample(input, pose, &ends, |pose| values(input, pose))
+        };
+        sampled(motion.samples(sampling(count)), &sample)
     }
 
     /// Returns the values of quantities at an input; none if the pose there has no derivatives.
@@ -108,11 +146,11 @@ impl Figure {
         input: f64,
         pose: &mut Pose<3>,
         ends: &[Clear],
-        jets: impl Fn(&Pose<3>) -> Vec<Jet<3>>,
+        jets: impl Fn(&Pose<3>) -> Option<Vec<Jet<3>>>,
     ) -> Option<Sample> {
         self.motion.place(self.off_the_ends(input), pose).ok()?;
         Some(Sample {
-            jets: jets(pose),
+            jets: jets(pose)?,
             clear: ends.iter().all(|end| self.is_clear(end, input, pose)),
         })
     }

@@ -19,6 +19,7 @@ pub use forces::{
     AnchorDocument, DamperDocument, ForceUnits, HarmonicDocument, LoadDocument, MotorDocument,
     SpringDocument,
 };
+pub use moved::is_of_forces;
 pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
 
 /// A linkage. Its parts refer to each other by name, and all lengths are in one unit. Unknown keys are refused:

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use assur::forces::Reactions;
 use assur::mechanism::{PointId, Pose, Quantity};
 use assur::{Jet, Point};
 use assur_draw::chart::{Against, Chart};
@@ -10,9 +11,10 @@ use assur_file::Problem;
 
 use super::Moving;
 use crate::capabilities::Moves;
+use crate::column::Column;
 use crate::handle::HandlePlace;
 use crate::here::{Here, ReadoutId};
-use crate::pair::{INPUT, Pair};
+use crate::pair::INPUT;
 use crate::table::SweepTable;
 
 impl Moving {
@@ -31,13 +33,20 @@ impl Moving {
 
     /// The plotted values at an input.
     fn on_plots(&self, input: f64, pose: &Pose<3>) -> Vec<f64> {
-        match &self.pair {
-            Some(pair) => pair.values(input, |column| {
+        let Some(pair) = &self.pair else {
+            let forces = self.forces_on_plots(input, pose);
+            return self.rates(&self.plotted, pose).chain(forces).collect();
+        };
+        let mut found = Reactions::default();
+        let balanced = self.plots_forces() && self.forces.balance(pose, input, &mut found).is_ok();
+        pair.values(input, |column| match column {
+            Column::Kinematic(column) => {
                 let jet = column.quantity.of(self.mechanism(), pose);
                 self.input().rate(&jet, column.order)
-            }),
-            None => self.rates(&self.plotted, pose).collect(),
-        }
+            }
+            Column::Force(force) if balanced => force.value(&self.forces, &found).unwrap_or(0.0),
+            Column::Force(_) => 0.0,
+        })
     }
 
     /// Frame of the animation in a pose, with the other assemblies if they are shown.
@@ -74,10 +83,13 @@ impl Moves for Moving {
                 let angles = self.transmitting.iter();
                 let angles = angles.map(|angle| angle.of(mechanism, &pose).value());
                 let further = self.curvature.then(|| self.motion.pose::<4>(input).ok());
-                let frame = match further.flatten() {
+                let mut frame = match further.flatten() {
                     Some(further) => self.frame(input, &further),
                     None => self.frame(input, &pose),
                 };
+                if self.arrows {
+                    self.add_arrows(&mut frame, input, &pose);
+                }
                 Ok(Here {
                     frame,
                     handles: self.places(&pose),
@@ -130,13 +142,24 @@ impl Moves for Moving {
     }
 
     fn chart(&self, _around: f64) -> Cow<'_, Chart> {
-        let chart = || self.figure.chart(&self.plotted, self.settings);
+        let chart = || match &self.plotted_forces[..] {
+            [] => self.figure.chart(&self.plotted, self.settings),
+            forces => self.chart_of_forces(forces),
+        };
         Cow::Borrowed(self.chart.get_or_init(chart))
     }
 
     fn against(&self, _around: f64) -> Option<Cow<'_, Against>> {
-        let Pair { x, y } = self.pair?;
-        let against = || self.figure.against(x, y, self.settings);
+        let pair = self.pair?;
+        let against = || {
+            let kinematic = (pair.x.map(Column::kinematic), pair.y.kinematic());
+            match kinematic {
+                (x @ (None | Some(Some(_))), Some(y)) => {
+                    self.figure.against(x.flatten(), y, self.settings)
+                }
+                _ => self.against_with_forces(pair),
+            }
+        };
         Some(Cow::Borrowed(self.against.get_or_init(against)))
     }
 

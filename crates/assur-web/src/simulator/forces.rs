@@ -4,13 +4,33 @@ use super::*;
 
 #[wasm_bindgen]
 impl Simulator {
-    /// Reactions of all pairs at an input, at ω₁ and ε₁ of the view.
+    /// Reactions, torques and forces of the drivers, and applied forces at an input, at the rate and acceleration of the
+    /// input in the view.
     ///
     /// # Errors
-    /// The reasons why there are none: no linkage, a defect of the loads, no pose, no equilibrium.
+    /// The reason why there are none: no linkage, no pose, or unbounded reactions.
     #[wasm_bindgen(unchecked_return_type = "ForcesHere")]
     pub fn forces(&self, input: f64) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.forces_at(input);
         Ok(to_js(&here.map_err(thrown)?))
+    }
+
+    /// The greatest of each reaction and of what each driver exerts over the motion, with its input, in the order of
+    /// `forces`.
+    ///
+    /// # Errors
+    /// A document that is not a moving linkage.
+    #[wasm_bindgen(js_name = greatestForces, unchecked_return_type = "GreatestHere[]")]
+    pub fn greatest_forces(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.linkage()?.greatest_forces()))
+    }
+
+    /// Masses, centres of mass and moments of inertia of the moving links.
+    ///
+    /// # Errors
+    /// A document that is not a moving linkage.
+    #[wasm_bindgen(unchecked_return_type = "MassHere[]")]
+    pub fn masses(&self) -> Result<JsValue, JsValue> {
+        Ok(to_js(&self.linkage()?.masses()))
     }
 }

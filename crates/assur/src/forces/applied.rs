@@ -1,7 +1,8 @@
 //! Forces and couples in a pose that are not reactions: weights, inertia, loads, springs and dampers.
 
 use super::Loading;
-use super::loading::{BodyMass, Damper, Load, Spring};
+use super::loading::{Damper, Load, Spring};
+use super::masses::BodyMass;
 use crate::Vector;
 use crate::index::BodyId;
 use crate::position::{BodyPoint, Complex, State, product};

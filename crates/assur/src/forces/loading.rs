@@ -1,9 +1,10 @@
 //! A valid loading of a mechanism: masses of its bodies, and forces at places of its bodies.
 
+use super::masses::{BodyMass, mass};
 use super::spec::{AnchorSpec, DamperSpec, LoadSpec, LoadingSpec, SpringSpec};
 use super::{Defect, Law, Part};
 use crate::Vector;
-use crate::index::{BodyId, LinkId, List};
+use crate::index::{BodyId, List};
 use crate::linkage::FRAME;
 use crate::mechanism::{LinkOrFrame, Mechanism};
 use crate::position::BodyPoint;
@@ -20,15 +21,6 @@ pub struct Loading {
     pub(super) dampers: Vec<Damper>,
     /// True if the input is the angle of a crank.
     pub(super) turns: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct BodyMass {
-    pub(super) mass: f64,
-    /// Centre of mass, on the body.
-    pub(super) centre: Vector,
-    /// Moment of inertia about the centre of mass.
-    pub(super) inertia: f64,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -136,60 +128,6 @@ impl Loading {
 fn all<T>(parts: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
     let parts: Vec<Option<T>> = parts.collect();
     parts.into_iter().collect()
-}
-
-/// Mass of a body: that of its links together.
-fn mass(mechanism: &Mechanism, body: BodyId) -> BodyMass {
-    let links = mechanism.link_ids();
-    let own = links.filter(|link| body != BodyId::FRAME && mechanism.body_of(Some(*link)) == body);
-    let parts: Vec<BodyMass> = own
-        .map(|link| mass_of_link(mechanism, body, link))
-        .collect();
-    let mass = parts.iter().map(|part| part.mass).sum::<f64>();
-    if mass == 0.0 {
-        return BodyMass {
-            mass: 0.0,
-            centre: Vector::zeros(),
-            inertia: 0.0,
-        };
-    }
-    let moments = parts.iter().map(|part| part.centre * part.mass);
-    let centre = moments.fold(Vector::zeros(), |sum, part| sum + part) / mass;
-    let inertia = parts
-        .iter()
-        .map(|part| part.inertia + part.mass * (part.centre - centre).norm_squared());
-    BodyMass {
-        mass,
-        centre,
-        inertia: inertia.sum(),
-    }
-}
-
-fn mass_of_link(mechanism: &Mechanism, body: BodyId, link: LinkId) -> BodyMass {
-    let spec = &mechanism.spec().links[link.index()];
-    let local = |point| {
-        let anchor = mechanism.anchor(body, point);
-        anchor.map_or(Vector::zeros(), |anchor| anchor.local)
-    };
-    let mass = spec.mass.unwrap_or(0.0);
-    let given = spec.centre_of_mass.as_ref();
-    let given = given.and_then(|name| mechanism.point(name)).map(local);
-    let (centre, bar) = match (given, mechanism.points_of(link)) {
-        (Some(centre), _) => (centre, 0.0),
-        (None, &[first, second, ..]) => {
-            let [from, to] = [first, second].map(local);
-            (0.5 * (from + to), mass * (to - from).norm_squared() / 12.0)
-        }
-        (None, points) => (
-            points.first().map_or(Vector::zeros(), |one| local(*one)),
-            0.0,
-        ),
-    };
-    BodyMass {
-        mass,
-        centre,
-        inertia: spec.inertia.unwrap_or(bar),
-    }
 }
 
 /// Search for named links and points, which collects the defects of all parts.

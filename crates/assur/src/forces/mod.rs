@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `spec`, `law` | gravity, loads, springs and dampers as a person gives them, valid or not |
 //! | `defect` | the reasons why they are refused |
+//! | `masses` | masses of links and of bodies |
 //! | `loading` | the same for a mechanism: masses of bodies, forces at places of bodies |
 //! | `applied` | the forces and couples in a pose that are not reactions |
 //! | `pair` | the wrenches that a pair can transmit |
@@ -27,6 +28,7 @@ mod defect;
 mod kinetostatics;
 mod law;
 mod loading;
+mod masses;
 mod motor;
 mod pair;
 mod reactions;
@@ -40,6 +42,7 @@ pub use defect::{Defect, Part};
 pub use kinetostatics::{Kinetostatics, Unbalanced};
 pub use law::{Harmonic, Law};
 pub use loading::Loading;
+pub use masses::LinkMass;
 pub use motor::Motor;
 pub use pair::{DriverId, Pair, PairId};
 pub use reactions::{Reaction, Reactions};

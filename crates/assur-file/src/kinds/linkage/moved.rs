@@ -159,7 +159,8 @@ impl LinkageDocument {
 
     /// The quantities that the name `choice` selects for the plots. The name of a point selects both its coordinates.
     /// The name of a quantity, such as `LINK.angle`, selects this quantity. `angles` selects the outputs of the same
-    /// kind, angle or length, as the first output, or all angles if there are no outputs. None for an unknown name.
+    /// kind, angle or length, as the first output, or all angles if there are no outputs. The name of a force, such as
+    /// `B.reaction`, selects no quantity of the motion. None for an unknown name.
     pub fn plotted(&self, mechanism: &Mechanism, choice: &str) -> Option<Vec<Quantity>> {
         if choice == "angles" {
             let mut asked = self.outputs(mechanism);
@@ -172,6 +173,23 @@ impl LinkageDocument {
         if let Some(point) = mechanism.point(choice) {
             return Some(vec![Quantity::X(point), Quantity::Y(point)]);
         }
+        if is_of_forces(choice) {
+            return Some(Vec::new());
+        }
         Quantity::named(mechanism, choice).map(|one| vec![one])
     }
+}
+
+/// Whether a name may be that of a plotted force: a part of a reaction, or what a driver exerts.
+pub fn is_of_forces(name: &str) -> bool {
+    const FORCES: [&str; 6] = [
+        "reaction",
+        "reaction_x",
+        "reaction_y",
+        "reaction_moment",
+        "torque",
+        "force",
+    ];
+    let what = name.rsplit_once('.').map(|(_, what)| what);
+    what.is_some_and(|what| FORCES.contains(&what))
 }

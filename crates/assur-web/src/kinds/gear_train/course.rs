@@ -253,7 +253,7 @@ impl Course {
     /// The quantities of the plotted curves.
     pub(crate) fn curves(&self) -> Vec<Quantity> {
         match &self.pair {
-            Some(pair) => pair.quantities(|column| column.quantity),
+            Some(pair) => pair.quantities(|column| Some(column.quantity)),
             None => self.plotted.clone(),
         }
     }

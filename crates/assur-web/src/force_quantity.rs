@@ -1,0 +1,168 @@
+//! Quantities of the forces of a linkage that can be plotted: reactions, and torques and forces of the drivers. They have
+//! no derivatives.
+
+use assur::forces::{DriverId, Pair, PairId, Reactions};
+use assur::mechanism::DriverSpec;
+use assur_draw::Role;
+use assur_draw::chart::{Axis, Kind};
+
+use crate::forces::Forces;
+
+/// A quantity of the forces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ForceQuantity {
+    /// A part of the reaction of a pair on the link placed later.
+    Reaction(PairId, Part),
+    /// The torque or force of a driver on its driven link.
+    Drive(DriverId),
+}
+
+/// A part of a reaction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    Magnitude,
+    X,
+    Y,
+    Moment,
+}
+
+impl Part {
+    const ALL: [Self; 4] = [Self::Magnitude, Self::X, Self::Y, Self::Moment];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Magnitude => "reaction",
+            Self::X => "reaction_x",
+            Self::Y => "reaction_y",
+            Self::Moment => "reaction_moment",
+        }
+    }
+}
+
+impl ForceQuantity {
+    /// All quantities: for each pair the magnitude of its reaction, the components and, except for a hinge, the moment;
+    /// then the drivers.
+    pub(crate) fn all(of: &Forces) -> Vec<Self> {
+        let reactions = of.statics.pairs().flat_map(|(id, pair)| {
+            let is_hinge = !pair.is_slide() && !pair.is_mesh();
+            let parts = Part::ALL.into_iter();
+            let parts = parts.filter(move |part| !(is_hinge && *part == Part::Moment));
+            parts.map(move |part| Self::Reaction(id, part))
+        });
+        let drivers = of.statics.drivers().map(Self::Drive);
+        reactions.chain(drivers).collect()
+    }
+
+    /// The quantity with a name as given by [`Self::name`].
+    pub(crate) fn named(of: &Forces, name: &str) -> Option<Self> {
+        let all = Self::all(of).into_iter();
+        let mut found = all.filter(|one| one.name(of) == name);
+        found.next()
+    }
+
+    /// Name of the quantity: `B.reaction`, `B.reaction_x`, `crank.torque`, `slider.force`. A point with several pairs is
+    /// followed by the link on which the reaction acts and the link from which it comes: `C-slider-rod.reaction`.
+    pub(crate) fn name(self, of: &Forces) -> String {
+        let mechanism = &of.mechanism;
+        match self {
+            Self::Reaction(id, part) => {
+                let pairs: Vec<&Pair> = of.statics.pairs().map(|(_, pair)| pair).collect();
+                let own = pairs[id.index()];
+                let name = own.name(mechanism);
+                let same = pairs.iter().filter(|pair| pair.name(mechanism) == name);
+                let subject = if same.count() > 1 {
+                    let [on, from] = own.bodies.map(|body| mechanism.body_name(body));
+                    [&name, on, from].join("-")
+                } else {
+                    name
+                };
+                format!("{subject}.{}", part.name())
+            }
+            Self::Drive(driver) => {
+                let spec = &mechanism.spec().drivers[driver.index()];
+                let link = mechanism.spec().driven(spec).unwrap_or_default();
+                let kind = if self.is_torque(of) {
+                    "torque"
+                } else {
+                    "force"
+                };
+                format!("{link}.{kind}")
+            }
+        }
+    }
+
+    /// Whether it is a torque; otherwise it is a force.
+    pub(crate) fn is_torque(self, of: &Forces) -> bool {
+        match self {
+            Self::Reaction(_, part) => part == Part::Moment,
+            Self::Drive(driver) => {
+                let spec = &of.mechanism.spec().drivers[driver.index()];
+                matches!(spec, DriverSpec::Crank { .. })
+            }
+        }
+    }
+
+    /// The quantities that the name `choice` selects for the plots: the magnitude of a reaction selects its components,
+    /// too. None for an unknown name.
+    pub(crate) fn plotted(of: &Forces, choice: &str) -> Option<Vec<Self>> {
+        let one = Self::named(of, choice)?;
+        Some(match one {
+            Self::Reaction(id, Part::Magnitude) => {
+                let parts = [Part::Magnitude, Part::X, Part::Y];
+                parts.map(|part| Self::Reaction(id, part)).to_vec()
+            }
+            _ => vec![one],
+        })
+    }
+
+    /// The axis of its plot.
+    pub(crate) fn axis(self, of: &Forces) -> Axis {
+        Axis {
+            name: Some(self.name(of)),
+            kind: self.kind(of),
+            order: 0,
+        }
+    }
+
+    pub(crate) fn kind(self, of: &Forces) -> Kind {
+        if self.is_torque(of) {
+            Kind::Torque
+        } else {
+            Kind::Force
+        }
+    }
+
+    /// Role of its curve.
+    pub(crate) fn role(self, of: &Forces) -> Role {
+        match self {
+            Self::Reaction(_, Part::Magnitude) => Role::Reaction,
+            Self::Reaction(_, Part::X) => Role::X,
+            Self::Reaction(_, Part::Y) => Role::Y,
+            _ if self.is_torque(of) => Role::Torque,
+            _ => Role::Force,
+        }
+    }
+
+    /// Whether its greatest value over the motion is listed.
+    pub(crate) fn is_greatest(self) -> bool {
+        matches!(self, Self::Reaction(_, Part::Magnitude) | Self::Drive(_))
+    }
+
+    /// Value of the quantity, in N or N·m; none if it is statically indeterminate.
+    pub(crate) fn value(self, of: &Forces, found: &Reactions) -> Option<f64> {
+        let value = match self {
+            Self::Reaction(id, part) => {
+                let reaction = found.of(id);
+                let [x, y] = reaction.force;
+                match part {
+                    Part::Magnitude => reaction.vector().map(|force| force.norm()),
+                    Part::X => x,
+                    Part::Y => y,
+                    Part::Moment => reaction.moment,
+                }
+            }
+            Self::Drive(driver) => found.drive(driver),
+        };
+        value.map(|value| value * of.units.drive(self.is_torque(of)))
+    }
+}
