@@ -11,6 +11,9 @@ export type Imported = { read: Document, left_out: Problem[] };
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
+export type AppliedHere = { kind: "weight" | "inertia" | "load" | "spring" | "damper", 
+/** Index of the load, spring or damper in its list. */ index: number | null, link: string, x: number, y: number, 
+/** Couple, positive counter-clockwise. */ couple: number, };
 export type AssembliesHere = { 
 /** Assemblies in ascending order of `angle`. */ all: Array<AssemblyHere>, 
 /**
@@ -30,7 +33,7 @@ export type AssemblyHere = {
 /** Poses of the bodies, in the format of a frame of the animation. */ bodies: Array<number>, };
 export type AxisLayout = { 
 /** Name of the quantity; none for the input. */ name: string | null, 
-/** The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle. */ number: string | null, order: 0 | 1 | 2, kind: "angle" | "length", from: number, to: number, ticks: Array<TickLayout>, };
+/** The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle. */ number: string | null, order: 0 | 1 | 2, kind: "angle" | "length" | "force" | "torque", from: number, to: number, ticks: Array<TickLayout>, };
 export type Belonging = { 
 /** For each assembly, in the order of their numbers, the index of its branch. */ branches: Array<number>, 
 /**
@@ -92,6 +95,8 @@ export type Drawn = {
 /** The point that was used or added last. */ point: string | null, 
 /** The link that was added last. */ link: string | null, 
 /** Whether locked lengths or angles kept the edit from reaching its target. */ held: boolean, };
+export type DriveHere = { 
+/** Name of the quantity that can be plotted: `crank.torque` or `slider.force`. */ name: string, link: string, kind: "torque" | "force", value: number | null, };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
 export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
@@ -99,7 +104,7 @@ export type FamilySummary = {
 /** Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); a null maximum means no limit. */ lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
 /** Range of the coupler's angle in each position, radians. */ couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /** l₁, l₂, l₃ at each change of the Grashof type. */ changes: Array<[number, number, number]>, };
-export type ForcesHere = { reactions: Array<ReactionHere>, };
+export type ForcesHere = { reactions: Array<ReactionHere>, drives: Array<DriveHere>, applied: Array<AppliedHere>, };
 export type FoundHere = { name: string, rates: [number, number], };
 export type FoundSummary = { 
 /** Number of starting points. */ starts: number, 
@@ -145,6 +150,10 @@ limits: BodyNumbers | null,
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
+export type GreatestHere = { 
+/** Name of the quantity. */ name: string, 
+/** Its value with the greatest magnitude; none if it is statically indeterminate everywhere. */ value: number | null, 
+/** The input at which it is reached: radians of a crank, otherwise in the unit of lengths. */ input: number, };
 export type GroupSummary = { term: string, role: string, };
 export type HaltSummary = { body: string, time: number, };
 export type HandleSummary = { name: string, role: string, 
@@ -187,6 +196,15 @@ export type ListedSummary = { name: string,
 /** The subscript in the symbol of the read-out, if the read-out is an angle. */ number: string | null, role: string, };
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
+export type MassHere = { link: string, mass: number, 
+/** Moment of inertia about the centre of mass, in units of mass and of length. */ inertia: number, 
+/** Centre of mass, from the first point of the link: towards the second, and to the left; in the unit of lengths. */ centre: [number, number], 
+/**
+ * Whether the centre of mass or the moment of inertia is given; otherwise the link is a uniform bar, or a mass at
+ * its point.
+ */
+given: boolean, 
+/** Whether the link has two points, so that it can be a uniform bar. */ bar: boolean, };
 export type MeetingPlace = { kind: "fold" | "crossing", branches: [number, number], input: number, output: number, };
 export type MendedSummary = { list: Array<Array<ChangedPair>>, complete: boolean, };
 export type MixerSummary = { 
@@ -222,7 +240,7 @@ export type Movement = { field: string, by: number, };
 export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
 export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
 /** Names of the possible cuts of this pair: one cut, or one for each link of a compound hinge. */ cuts: Array<string>, };
-export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
+export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length" | "force" | "torque", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
 export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
 export type PlaneSummary = { 
 /** Minimum and maximum length, the same on both axes. */ bounds: [number, number], values: Array<Array<number>>, };
@@ -258,10 +276,13 @@ export type RateSummary = { field: string, link: string, rate: number, role: str
 export type RatioSummary = { name: string, of: number, to: number, held: number, numerator: number, denominator: number, value: number, 
 /** Whether this is the largest positive ratio. */ largest: boolean, };
 export type ReachedSummary = { arc: number, stroke: number, residual: number, singularity_margin: number, };
-export type ReactionHere = { pair: string, 
-/** Link on which it acts. */ on: string, 
-/** Link that exerts it. */ from: string, 
-/** Components of the force and moment; null if statically indeterminate. */ x: number | null, y: number | null, moment: number | null, };
+export type ReactionHere = { 
+/** Name of its magnitude among the quantities that can be plotted, such as `B.reaction`. */ name: string, 
+/** The point of the hinge or slide, or the two wheels. */ pair: string, kind: "hinge" | "slide" | "mesh", 
+/** The link on which it acts, and the link from which it comes; `frame` for the frame. */ on: string, from: string, 
+/** Components and moment; none for what is statically indeterminate. */ x: number | null, y: number | null, moment: number | null, 
+/** Magnitude of the force. */ value: number | null, 
+/** Direction of the force, radians from the x-axis; none for a force of zero. */ direction: number | null, };
 export type ReadoutId = { quantity: string, 
 /** Order of the derivative: 0, 1 or 2. */ order: number, };
 export type RedundancySummary = { count: number, pairs: Array<string>, };

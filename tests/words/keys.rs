@@ -2,7 +2,7 @@
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-pub(super) const BUILT: [(&str, &[&str]); 65] = [
+pub(super) const BUILT: [(&str, &[&str]); 85] = [
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),
@@ -26,9 +26,38 @@ pub(super) const BUILT: [(&str, &[&str]); 65] = [
             "www/kinds/linkage/rail.js",
             "www/kinds/linkage/course.js",
             "www/kinds/linkage/design.js",
+            "www/forces/masses.js",
         ],
     ),
     ("field.points.", &["www/kinds/linkage/rail.js"]),
+    // Masses and loads: names of fields, of links and of forces.
+    ("field.bars.", MASSES),
+    ("field.dampers.", SPRINGS),
+    ("field.loads.", LOADS),
+    ("field.masses.", MASSES),
+    ("field.springs.", SPRINGS),
+    ("field.terms.", LOADS),
+    ("name.bars.", MASSES),
+    ("name.dampers.", SPRINGS),
+    ("name.loads.", LOADS),
+    ("name.masses.", MASSES),
+    ("name.springs.", SPRINGS),
+    ("name.terms.", LOADS),
+    (
+        "forces.",
+        &[
+            "www/forces/load-list.js",
+            "www/forces/loads.js",
+            "www/forces/panel.js",
+        ],
+    ),
+    ("forces.drive.", REACTIONS),
+    ("forces.gravity.", MASSES),
+    ("forces.law.", LOADS),
+    ("forces.loads.", LOADS),
+    ("forces.of.", REACTIONS),
+    ("forces.plot.", &["crates/assur-web/src/chart.rs"]),
+    ("forces.unit.", &["www/forces/fields.js"]),
     ("field.tracers.", &["www/kinds/mixer/lists.js"]),
     ("dead.", &["crates/assur/src/motion/dead_point.rs"]),
     (
@@ -83,6 +112,7 @@ pub(super) const BUILT: [(&str, &[&str]); 65] = [
             "www/kinds/linkage/course.js",
             "www/kinds/linkage/design.js",
             "www/kinds/linkage/rail.js",
+            "www/forces/masses.js",
         ],
     ),
     ("name.tracers.", &["www/kinds/mixer/lists.js"]),
@@ -151,6 +181,12 @@ pub(super) const BUILT: [(&str, &[&str]); 65] = [
     ("write.whole.", &["www/lesson/tasks.js"]),
     ("tracers.", &["www/kinds/mixer/lists.js"]),
 ];
+
+/// Who names the fields of masses, loads, springs and dampers, and forces.
+const MASSES: &[&str] = &["www/forces/masses.js"];
+const LOADS: &[&str] = &["www/forces/load-list.js"];
+const SPRINGS: &[&str] = &["www/forces/spring-list.js"];
+const REACTIONS: &[&str] = &["crates/assur-web/src/reactions.rs"];
 
 /// Who says what the input is, an angle, a length or time, and what is plotted by it.
 pub(super) const MOVES: &[&str] = &[

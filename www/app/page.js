@@ -42,6 +42,8 @@ export class Page {
   #unwritten = WRITING_PERIOD;
   /** What the read-outs show. */
   shown = new Shown();
+  /** @type {() => readonly import("assur/plots/pairs.js").Further[]} further choices for the list of plots, from a part that is loaded on demand */
+  furtherPlots = () => [];
   /** @type {HTMLElement | null} element printed instead of the worksheet of the shown state */
   sheet = null;
 

@@ -45,6 +45,10 @@ const PANELS = Object.freeze({
   under_load: async (page) => new (await page.withWords(FORCES, import("assur/under-load/panel.js"))).UnderLoad(page),
   curvature: async (page) => new (await import("assur/plots/curvature.js")).Curvature(page),
 });
+/** Fold of the rail that loads its content when it is first opened. */
+const LOADS = "fold-loads";
+/** Name of a plotted force. */
+const OF_FORCES = /\.(reaction\w*|torque|force)$/;
 const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));
 
 /** @type {Readonly<Record<"drawing", (page: Page) => Promise<View>>>} views loaded when their switch is on, even if the document has no motion */
@@ -100,6 +104,7 @@ export class Views {
     this.#views = [...views, new ProblemView(), new Switches(store), new LengthUnits(page), new Title(page), new Becoming(page)];
     this.#plots = [chart, cursor];
     this.#moving = [new Transport(page), new PlotBar(page), new ReadoutTable(page), new AboutLink(page), new Legend(page), new Measures(page), new Comparing(page)];
+    byId(LOADS, HTMLDetailsElement).addEventListener("toggle", () => page.redraw());
     for (const [kind, here] of HERE) this.#add(kind, here);
   }
 
@@ -125,6 +130,11 @@ export class Views {
     this.#rendering.all(this.#views, snapshot);
     for (const name of TOOL_NAMES) if (state.view[name]) this.#bringLater(name, TOOLS[name], this.#views);
     for (const name of PANEL_NAMES) if (state.view[name]) this.#bringLater(name, PANELS[name], this.#moving);
+    const { plot, against } = state.view;
+    if ([plot, against?.x ?? "", against?.y ?? ""].some((name) => OF_FORCES.test(name))) this.#bringLater("forces", PANELS.forces, this.#moving);
+    if (byId(LOADS, HTMLDetailsElement).open) {
+      this.#bringLater(LOADS, async (page) => new (await page.withWords(FORCES, import("assur/forces/loads.js"))).LoadFold(page), this.#moving);
+    }
     if (moves(snapshot)) this.#rendering.all(this.#moving, snapshot);
     if (state.kind !== kind) return;
     const own = this.#own.get(kind);
@@ -162,7 +172,7 @@ export class Views {
 
   /**
    * @template T
-   * @param {keyof typeof PANELS | keyof typeof TOOLS} name
+   * @param {keyof typeof PANELS | keyof typeof TOOLS | typeof LOADS} name
    * @param {(page: Page) => Promise<T>} load
    * @param {T[]} views list that the loaded view joins
    */

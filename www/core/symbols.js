@@ -12,13 +12,19 @@ const LETTERS = Object.freeze({
   corner: Object.freeze(["θ", "θ\u0307", "θ\u0308"]),
   between: Object.freeze(["θ", "θ\u0307", "θ\u0308"]),
   pressure: Object.freeze(["α", "α\u0307", "α\u0308"]),
+  reaction: Object.freeze(["R"]),
+  reaction_x: Object.freeze(["Rₓ"]),
+  reaction_y: Object.freeze(["R_y"]),
+  reaction_moment: Object.freeze(["M"]),
+  torque: Object.freeze(["M"]),
+  force: Object.freeze(["F"]),
 });
 
 /** Last parts of the names of measures, which are quantities that the reader adds. */
 export const MEASURES = Object.freeze(["distance", "corner", "between"]);
 
 /** Quantities whose symbol includes their points or links. */
-const OF_POINTS = Object.freeze(["transmission", "pressure", ...MEASURES]);
+const OF_POINTS = Object.freeze(["transmission", "pressure", "reaction", "reaction_x", "reaction_y", "reaction_moment", ...MEASURES]);
 
 /** Quantities that are lengths; all others are angles. */
 const LENGTHS = Object.freeze(["x", "y", "distance", "radius", "centre_x", "centre_y"]);
@@ -64,7 +70,7 @@ export function letterOf({ name, number }, order, physical) {
  */
 export function symbol({ name, number }, order, physical, words) {
   const { of, what } = partsOf(name);
-  const named = OF_POINTS.includes(what) ? ` ${calledWhole(of, what, words)}` : what === "angle" && !number ? ` ${called(of, words)}` : "";
+  const named = OF_POINTS.includes(what) ? ` ${calledWhole(of, what, words)}` : /^(angle|torque|force)$/.test(what) && !number ? ` ${called(of, words)}` : "";
   return letterOf({ name, number }, order, physical) + named;
 }
 

@@ -7,7 +7,7 @@ import { partsOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { derived } from "assur/core/units.js";
-import { PairChoice, pointsOfFrame } from "assur/plots/pairs.js";
+import { PairChoice, furtherOptions, pointsOfFrame } from "assur/plots/pairs.js";
 import { whose } from "assur/plots/readouts.js";
 import { withView } from "assur/state/state.js";
 
@@ -26,6 +26,7 @@ const UNITS = Object.freeze({ rad_per_s: 1, per_min: Math.PI / 30 });
 
 export class PlotBar {
   #engine;
+  #page;
   #plot = byId("plot", HTMLSelectElement);
   #only = byId("only", HTMLSelectElement);
   #axes = byId("axes", HTMLSelectElement);
@@ -43,6 +44,7 @@ export class PlotBar {
   constructor(page) {
     const { store, engine, model, drafts } = page;
     this.#engine = engine;
+    this.#page = page;
     this.#pairs = new PairChoice(page);
     const look = (/** @type {Partial<View>} */ change) => store.update((state) => withView(state, change));
     this.#plot.addEventListener("change", () => {
@@ -72,7 +74,7 @@ export class PlotBar {
     const wrong = ["omega", "epsilon"].map((name) => problems.some(({ field }) => field === name));
     const { moves } = coordinate;
     if (this.#shown.same(points, plot, axes, omega, unit, epsilon, trueTime, words, moves, only, against, measures, summary, ...wrong)) return;
-    const names = [pointsOfFrame(snapshot.state), transmissions.map(({ what, joint }) => `${joint}.${what}`), measures, overviews];
+    const names = [pointsOfFrame(snapshot.state), transmissions.map(({ what, joint }) => `${joint}.${what}`), measures, overviews, this.#page.furtherPlots().map(({ name }) => name)];
     if (!this.#offered.same(words, points, names.join("/"))) this.#offer(snapshot, points, transmissions);
     if (!this.#named.same(words, moves)) this.#name(coordinate, words);
     this.#plot.value = plot;
@@ -132,7 +134,7 @@ export class PlotBar {
       ...transmissions.map(({ what, joint }) => [`${joint}.${what}`, whose({ what, of: [joint] }, words)]),
       ...measures.map((name) => [name, measure(name, words)]),
     ];
-    render([options.map(([value, text]) => html`<option value=${value}>${text}</option>`), this.#pairs.offered(snapshot)], this.#plot);
+    render([options.map(([value, text]) => html`<option value=${value}>${text}</option>`), furtherOptions(this.#page.furtherPlots(), words), this.#pairs.offered(snapshot)], this.#plot);
   }
 }
 

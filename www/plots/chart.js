@@ -63,7 +63,7 @@ export class ChartView {
     this.#snapshot = snapshot;
     setData(this.#surface.canvas, "faded", String(snapshot.stale));
     const { start } = snapshot.coordinate.axis(snapshot.inputShown);
-    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${this.#theme.revision} ${start} ${snapshot.state.view.only}`;
+    const wanted = `${snapshot.revision} ${snapshot.words.lang} ${snapshot.words.has("forces.plots")} ${this.#theme.revision} ${start} ${snapshot.state.view.only}`;
     if (wanted === this.#drawn) return;
     this.#drawn = wanted;
     this.#draw();

@@ -1,6 +1,6 @@
 // Choice of two quantities to plot against each other: usual pairs in the list of plots, and two lists for other pairs.
 import { byId } from "assur/core/dom.js";
-import { html, render } from "assur/core/html.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { called } from "assur/core/names.js";
 import { partsOf } from "assur/core/quantity.js";
 import { Seen } from "assur/core/seen.js";
@@ -12,6 +12,8 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/state/state.js").View} View
  * @typedef {NonNullable<View["against"]>} Pair
+ * @typedef {Readonly<{ name: string, text: string, vector?: string }>} Further a force that can be plotted. `vector`: name of its hodograph for readers, if
+ * it is a vector, whose components are named with `_x` and `_y`
  */
 
 /** Name of the input in a pair. */
@@ -51,10 +53,14 @@ export class PairChoice {
   #x = byId("against-x", HTMLSelectElement);
   #built = new Seen();
 
+  #further;
+
   /** @param {import("assur/app/page.js").Page} page */
-  constructor({ store, engine, model }) {
+  constructor(page) {
+    const { store, engine, model } = page;
     this.#engine = engine;
     this.#model = model;
+    this.#further = () => page.furtherPlots();
     for (const list of [this.#x, this.#y]) {
       list.addEventListener("change", () => store.update((state) => withView(state, { against: { x: this.#x.value, y: this.#y.value } })));
     }
@@ -126,11 +132,23 @@ export class PairChoice {
     const transmissions = "transmissions" in summary ? summary.transmissions.map(({ what, joint }) => `${joint}.${what}`) : [];
     const names = [...this.#engine.names.quantities, ...transmissions];
     const physical = state.view.axes === "physical" || coordinate.moves === "time";
-    if (this.#built.same(JSON.stringify([names, physical, coordinate.symbol, summary.numbers]), words)) return;
-    const options = listed(names, summary.numbers, physical, words);
+    const further = this.#further();
+    if (this.#built.same(JSON.stringify([names, physical, coordinate.symbol, summary.numbers, further]), words)) return;
+    const forces = further.flatMap(({ name, text, vector }) => [[name, text], ...(vector ? [[`${name}_x`, `${text}, x`], [`${name}_y`, `${text}, y`]] : [])]);
+    const options = [listed(names, summary.numbers, physical, words), forces.length > 0 ? html`<optgroup label=${words.text("forces.plots")}>${forces.map(([name, text]) => html`<option value=${name}>${text}</option>`)}</optgroup>` : nothing];
     render(options, this.#y);
     render([html`<option value=${INPUT}>${coordinate.symbol}</option>`, options], this.#x);
   }
+}
+
+/**
+ * @param {readonly Further[]} further
+ * @param {import("assur/core/words.js").Words} words
+ * @returns choices of forces for the list of plots: each by the input, and the hodographs of vectors
+ */
+export function furtherOptions(further, words) {
+  if (further.length === 0) return nothing;
+  return html`<optgroup label=${words.text("forces.plots")}>${further.map(({ name, text }) => html`<option value=${name}>${text}</option>`)}${further.map(({ name, vector }) => (vector ? html`<option value=${chosen({ x: `${name}_x`, y: `${name}_y` })}>${vector}</option>` : nothing))}</optgroup>`;
 }
 
 /**

@@ -27,6 +27,11 @@ export function coordinates({ series }) {
   return series.some(({ name }) => /\.[xy]$/.test(name));
 }
 
+/** @param {Pick<Panel, "kind">} panel */
+function isForce({ kind }) {
+  return kind === "force" || kind === "torque";
+}
+
 /** @param {Scale} panel */
 export function inDegrees({ kind, order }) {
   return kind === "angle" && order === 0;
@@ -64,7 +69,7 @@ export function levelText(panel, value, numbers) {
  */
 export function unitOf(panel, { moves }, words) {
   if (inDegrees(panel)) return "°";
-  const unit = unitOfRate(panel, moves, words);
+  const unit = isForce(panel) ? (words.unit && words.text(`forces.unit.${panel.kind === "force" ? "newton" : "newton_metre"}`)) : unitOfRate(panel, moves, words);
   const exponent = power(panel);
   if (exponent === 0) return unit;
   return `${powerOfTen(exponent)}${unit === "1" ? "" : ` ${unit}`}`.trim();
@@ -78,6 +83,7 @@ export function unitOf(panel, { moves }, words) {
  */
 export function axisTitle(panel, coordinate, words) {
   const { kind, order, physical } = panel;
+  if (isForce(panel)) return words.text(`forces.plot.${kind}`, { unit: unitOf(panel, coordinate, words) });
   if (kind === "length" && order === 0 && !coordinates(panel)) return [words.text("readouts.distance"), unitOf(panel, coordinate, words)].filter(Boolean).join(", ");
   const by = order === 0 ? "value" : physical ? "by_time" : "analogue";
   return words.text(`plots.${kind}.${by}.${order}`, { unit: unitOf(panel, coordinate, words) });

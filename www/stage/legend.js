@@ -1,9 +1,9 @@
-// Legend of the overlays of instant centres, centrodes and curvature, over the drawing: the names of their lines and marks, and a button that
+// Legend of the overlays of instant centres, centrodes, curvature and forces, over the drawing: the names of their lines and marks, and a button that
 // fits all of them into the view.
 import { byId } from "assur/core/dom.js";
 import { html, render } from "assur/core/html.js";
 
-/** @typedef {"instant_centres" | "centrodes" | "curvature"} Overlay */
+/** @typedef {"instant_centres" | "centrodes" | "curvature" | "forces"} Overlay */
 
 /**
  * Lines and marks of each overlay: the role that colours them, their look, and the key of their name.
@@ -12,6 +12,7 @@ import { html, render } from "assur/core/html.js";
 const ENTRIES = Object.freeze({
   instant_centres: [["ink", "ring", "legend.centre"], ["velocity", "line", "legend.kennedy"]],
   centrodes: [["accent3", "line", "legend.fixed"], ["accent4", "line", "legend.moving"], ["ink", "dot", "legend.pole"]],
+  forces: [["reaction", "line", "forces.legend.reaction"], ["force", "line", "forces.legend.force"], ["weight", "line", "forces.legend.weight"], ["inertia", "line", "forces.legend.inertia"], ["torque", "line", "forces.legend.torque"]],
   curvature: [["accent1", "line", "legend.circle"], ["accent1", "dashed", "legend.evolute"], ["accent2", "line", "legend.inflection"]],
 });
 const OVERLAYS = Object.freeze(/** @type {Overlay[]} */ (Object.keys(ENTRIES)));

@@ -5,6 +5,7 @@ use assur::forces::{DriverId, Pair, PairId, Reactions};
 use assur::mechanism::DriverSpec;
 use assur_draw::Role;
 use assur_draw::chart::{Axis, Kind};
+use assur_file::{LengthUnit, LinkageDocument};
 
 use crate::forces::Forces;
 
@@ -89,6 +90,17 @@ impl ForceQuantity {
                 format!("{link}.{kind}")
             }
         }
+    }
+
+    /// Heading of its column in a table: the name with the unit, `B.reaction_N`, `crank.torque_N_m`. A document without a
+    /// unit of lengths has no units of forces.
+    pub(crate) fn heading(self, of: &Forces, document: &LinkageDocument) -> String {
+        let unit = match document.unit {
+            None | Some(LengthUnit::None) => "",
+            Some(_) if self.is_torque(of) => "_N_m",
+            Some(_) => "_N",
+        };
+        self.name(of) + unit
     }
 
     /// Whether it is a torque; otherwise it is a force.

@@ -6,6 +6,7 @@ use assur::motion::{At, Column, Grid};
 use assur_file::Problem;
 use serde::Serialize;
 
+use crate::force_quantity::ForceQuantity;
 use crate::moving::Moving;
 
 /// Contents of a table file.
@@ -81,7 +82,8 @@ impl SweepTable {
         }
     }
 
-    /// Tabulates the motion at these inputs: all quantities, measures, plotted values, and drawn circles of curvature.
+    /// Tabulates the motion at these inputs: all quantities, measures, plotted values, drawn circles of curvature and,
+    /// if they are drawn, all forces.
     fn at(moving: &Moving, places: &[At]) -> Self {
         let (motion, mechanism) = (moving.motion(), moving.mechanism());
         let mut columns = Column::all(mechanism);
@@ -93,6 +95,7 @@ impl SweepTable {
             }
         }
         let curved = moving.figure().curved();
+        let forces = (moving.has_arrows()).then(|| ForceQuantity::all(moving.forces()));
         let rows = places.iter().map(|at| {
             let row = motion.row(&columns, at.input);
             let mut values = row.values;
@@ -106,6 +109,13 @@ impl SweepTable {
                     reason.get_or_insert_with(|| none.clone());
                 }
                 values.extend(circle_values(circle.and_then(Result::ok)));
+            }
+            if let Some(forces) = &forces {
+                let found = moving.row_of_forces(at.input, forces);
+                values.extend(found.unwrap_or_else(|problem| {
+                    reason.get_or_insert(problem);
+                    vec![None; forces.len()]
+                }));
             }
             SweepRow {
                 input: at.counted,
@@ -121,6 +131,9 @@ impl SweepTable {
             columns: columns
                 .map(|column| SweepColumn::of(mechanism, column))
                 .chain(circles.flat_map(|point| SweepColumn::of_circle(mechanism, *point)))
+                .chain(forces.iter().flatten().map(|force| {
+                    SweepColumn::named(force.heading(moving.forces(), moving.document()))
+                }))
                 .collect(),
             rows,
             compared: None,

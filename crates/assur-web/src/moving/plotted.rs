@@ -7,6 +7,7 @@ use assur::forces::Reactions;
 use assur::mechanism::Pose;
 use assur_draw::Role;
 use assur_draw::chart::{Against, Axis, Chart, Series};
+use assur_file::Problem;
 
 use super::Moving;
 use crate::column::Column;
@@ -45,6 +46,27 @@ impl Moving {
         self.forces.balance(pose, input, found).ok()?;
         let values = forces.iter().map(|force| force.value(&self.forces, found));
         values.collect()
+    }
+
+    /// Values of forces at an input for a table; none for what is statically indeterminate.
+    ///
+    /// # Errors
+    /// The reason why there is no pose, or no equilibrium in it.
+    pub(crate) fn row_of_forces(
+        &self,
+        input: f64,
+        forces: &[ForceQuantity],
+    ) -> Result<Vec<Option<f64>>, Problem> {
+        let pose = self.motion.pose(input).map_err(|why| self.problem(&why))?;
+        let mut found = Reactions::default();
+        self.forces.balance(&pose, input, &mut found)?;
+        let values = forces.iter().map(|force| force.value(&self.forces, &found));
+        Ok(values.collect())
+    }
+
+    /// Whether arrows of forces are drawn.
+    pub(crate) fn has_arrows(&self) -> bool {
+        self.arrows
     }
 
     /// The chart of forces of one kind over the motion.
