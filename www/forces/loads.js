@@ -25,6 +25,7 @@ export class LoadFold {
   #springs;
   #dampers;
   #fold = byId("fold-loads", HTMLDetailsElement);
+  #consistent = make("p", { class: "forces-consistent", "data-t": "forces.consistent" });
   #own;
   #others;
   #built = new Seen();
@@ -39,6 +40,7 @@ export class LoadFold {
     this.#dampers = new Springs(page, "dampers");
     const { words } = page;
     this.#own = make("div", {}, [
+      this.#consistent,
       this.#masses.element,
       ...[this.#loads, this.#springs, this.#dampers].map(({ element, name }) => make("section", {}, [make("h2", { "data-t": `forces.${name}` }), element])),
     ]);
@@ -58,6 +60,7 @@ export class LoadFold {
     this.#others.hidden = own;
     if (state.kind !== "linkage") return;
     const { document } = state;
+    this.#consistent.hidden = words.unit !== "";
     const wrong = new Set(problems.map(placeOf));
     if (this.#shown.same(document, summary, words, problems.map((one) => JSON.stringify(one)).join())) return;
     const parts = [this.#masses, this.#loads, this.#springs, this.#dampers];

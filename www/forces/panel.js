@@ -91,10 +91,12 @@ export class Forces {
         <tbody>${drives.map(({ name, link, kind, value }) => html`<tr data-name=${name}><th scope="row">${words.text(`forces.drive.${kind}`, { name: called(link, words) })}</th><td>${value === null ? INDETERMINATE : measured(numbers.short(value), unitText(kind === "torque" ? "newton_metre" : "newton", words))}</td>${this.#most(name, snapshot)}</tr>`)}</tbody>
       </table>
       <table id="reactions">
-        <thead><tr><th scope="col">${text("pair")}</th><th scope="col">${newton}</th><th scope="col">∠</th><th scope="col">Rₓ</th><th scope="col">R<sub>y</sub></th>${moments ? html`<th scope="col">${moment}</th>` : nothing}<th scope="col">${text("greatest")}</th><th scope="col">${text("at")}</th></tr></thead>
-        <tbody>${reactions.map((one) => html`<tr data-name=${one.name}><th scope="row">${pairText(one, words)}</th><td>${number(one.value)}</td><td>${angle(one)}</td><td>${number(one.x)}</td><td>${number(one.y)}</td>${moments ? html`<td>${one.kind === "hinge" ? NONE : number(one.moment)}</td>` : nothing}${this.#most(one.name, snapshot)}</tr>`)}</tbody>
+        <caption>${text("pair")}</caption>
+        <thead><tr><th scope="col">${newton}</th><th scope="col">∠</th><th scope="col">Rₓ</th><th scope="col">R<sub>y</sub></th>${moments ? html`<th scope="col">${moment}</th>` : nothing}<th scope="col">${text("greatest")}</th><th scope="col">${text("at")}</th></tr></thead>
+        ${reactions.map((one) => html`<tbody data-name=${one.name}><tr><th scope="rowgroup" colspan=${moments ? 7 : 6}>${pairText(one, words)}</th></tr><tr><td>${number(one.value)}</td><td>${angle(one)}</td><td>${number(one.x)}</td><td>${number(one.y)}</td>${moments ? html`<td>${one.kind === "hinge" ? NONE : number(one.moment)}</td>` : nothing}${this.#most(one.name, snapshot)}</tr></tbody>`)}
       </table>
       ${reactions.some(({ x, y, moment }) => [x, y, moment].includes(null)) ? html`<p>${words.text("forces.indeterminate", { sign: INDETERMINATE })}</p>` : nothing}
+      ${words.unit === "" ? html`<p>${text("consistent")}</p>` : nothing}
       <details id="applied-forces" class="fold within">
         <summary>${text("applied")}</summary>
         <table>

@@ -80,7 +80,8 @@ export class PlotBar {
     this.#plot.value = plot;
     this.#pairs.show(against, this.#plot, snapshot);
     this.#only.value = only;
-    this.#only.hidden = against !== null;
+    // Forces have no derivatives.
+    this.#only.hidden = against !== null || this.#page.furtherPlots().some(({ name }) => name === plot);
     this.#axes.value = axes;
     this.#unit.value = unit;
     this.#axes.hidden = moves === "time";
