@@ -184,8 +184,9 @@ export class Loads {
     const symbol = kind === "force" ? "F" : "M";
     const law = lawOf(load);
     const n = words.numbers.exact(i + 1);
+    const own = (/** @type {string} */ part) => `loads[${i}].${part}`;
     const rows = [fields.choice(`load-${i}-law`, "forces.loads.law", LAWS.map((one) => [one, words.text(`forces.law.${one}`)]), () => lawOf(now()), (value) => this.#relaw(i, /** @type {Law} */ (value)))];
-    if (law === "value") rows.push(fields.number(`loads[${i}].value`, { symbol, unit, n }, () => now().value ?? 0, (value) => this.#put(i, { value })));
+    if (law === "value") rows.push(fields.number(own("value"), { symbol, unit, n }, () => now().value ?? 0, (value) => this.#put(i, { value })));
     if (law === "terms") {
       const terms = () => now().terms ?? [];
       const term = (/** @type {number} */ k, /** @type {"amplitude" | "order" | "phase_deg"} */ part, /** @type {string} */ letter, /** @type {import("assur/forces/fields.js").Unit} */ unit) =>
@@ -199,7 +200,7 @@ export class Loads {
     if (law === "table") rows.push(this.#table(i, words, now));
     if (kind === "force") {
       rows.push(
-        fields.number(`loads[${i}].${"direction"}`, { symbol: "α", unit: "degree", n }, () => now().direction_deg ?? 0, (direction_deg) => this.#put(i, { direction_deg })),
+        fields.number(own("direction"), { symbol: "α", unit: "degree", n }, () => now().direction_deg ?? 0, (direction_deg) => this.#put(i, { direction_deg })),
         fields.check(`load-${i}-turns`, "forces.loads.turns", () => !!now().turns, (turns) => this.#step(i, { turns: turns || undefined })),
       );
     }

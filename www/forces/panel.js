@@ -84,6 +84,7 @@ export class Forces {
     const unit = (/** @type {"newton" | "newton_metre"} */ name, /** @type {string} */ symbol) => [symbol, unitText(name, words)].filter(Boolean).join(", ");
     const [newton, moment] = [unit("newton", "R"), unit("newton_metre", "M")];
     const moments = reactions.some(({ kind }) => kind !== "hinge");
+    const columns = moments ? 5 : 4;
     const text = (/** @type {string} */ key) => words.text(`forces.${key}`);
     return html`
       <table id="drives">
@@ -92,8 +93,14 @@ export class Forces {
       </table>
       <table id="reactions">
         <caption>${text("pair")}</caption>
-        <thead><tr><th scope="col">${newton}</th><th scope="col">∠</th><th scope="col">Rₓ</th><th scope="col">R<sub>y</sub></th>${moments ? html`<th scope="col">${moment}</th>` : nothing}<th scope="col">${text("greatest")}</th><th scope="col">${text("at")}</th></tr></thead>
-        ${reactions.map((one) => html`<tbody data-name=${one.name}><tr><th scope="rowgroup" colspan=${moments ? 7 : 6}>${pairText(one, words)}</th></tr><tr><td>${number(one.value)}</td><td>${angle(one)}</td><td>${number(one.x)}</td><td>${number(one.y)}</td>${moments ? html`<td>${one.kind === "hinge" ? NONE : number(one.moment)}</td>` : nothing}${this.#most(one.name, snapshot)}</tr></tbody>`)}
+        <thead>
+          <tr><td colspan=${columns - 2}></td><th scope="col">${text("greatest")}</th><th scope="col">${text("at")}</th></tr>
+          <tr><th scope="col">${newton}</th><th scope="col">∠</th><th scope="col">Rₓ</th><th scope="col">R<sub>y</sub></th>${moments ? html`<th scope="col">${moment}</th>` : nothing}</tr>
+        </thead>
+        ${reactions.map((one) => html`<tbody data-name=${one.name}>
+          <tr><th scope="rowgroup" colspan=${columns - 2}>${pairText(one, words)}</th>${this.#most(one.name, snapshot)}</tr>
+          <tr><td>${number(one.value)}</td><td>${angle(one)}</td><td>${number(one.x)}</td><td>${number(one.y)}</td>${moments ? html`<td>${one.kind === "hinge" ? NONE : number(one.moment)}</td>` : nothing}</tr>
+        </tbody>`)}
       </table>
       ${reactions.some(({ x, y, moment }) => [x, y, moment].includes(null)) ? html`<p>${words.text("forces.indeterminate", { sign: INDETERMINATE })}</p>` : nothing}
       ${words.unit === "" ? html`<p>${text("consistent")}</p>` : nothing}
