@@ -28,7 +28,7 @@ test("what is measured is said with its points or links", () => {
 });
 
 test("a quantity without letters of its own goes by its name", () => {
-  assert.deepEqual(three({ name: "sun.torque" }, false), ["sun.torque", "sun.torque′", "sun.torque″"]);
+  assert.deepEqual(three({ name: "sun.power" }, false), ["sun.power", "sun.power′", "sun.power″"]);
   assert.equal(symbol({ name: "dwell" }, 0, true, en), "dwell");
 });
 

@@ -50,8 +50,11 @@ export class Masses {
       const n = called(name, words);
       const own = (/** @type {string} */ part) => `masses[${i}].${part}`;
       const centre = (/** @type {0 | 1} */ axis) => fields.number(own(axis === 0 ? "along" : "across"), { symbol: axis === 0 ? "x_S" : "y_S", unit: "length", n }, () => of(i).centre[axis], (value) => {
-        const on = /** @type {[number, number]} */ (of(i).centre.with(axis, value));
+        const { centre, inertia, given } = of(i);
+        const on = /** @type {[number, number]} */ (centre.with(axis, value));
         reshape(this.#page, { edit: "centre", link: name, on }, own(axis === 0 ? "along" : "across"));
+        // With a centre of mass the document has no bar whose moment of inertia would be known: that of the bar is kept.
+        if (!given && inertia > 0) putLink(this.#page, i, { inertia });
       });
       const rows = [
         fields.number(own("mass"), { symbol: "m", unit: "kg", n }, () => linkageOf(this.#page).links[i]?.mass_kg ?? 0, (value) => putLink(this.#page, i, { mass_kg: value })),

@@ -18,6 +18,8 @@ import { unitText } from "assur/forces/fields.js";
  * @typedef {Here["reactions"][number]} Reaction
  */
 
+/** Share of the greatest force below which a force is written as zero. */
+const ROUNDING = 1e-12;
 /** Sign for what is statically indeterminate. */
 const INDETERMINATE = "?";
 /** Sign for what has no value. */
@@ -51,7 +53,7 @@ export class Forces {
     this.#none.textContent = problems.map((problem) => sentence(problem, words, state.document)).join(" ");
     this.#tables.hidden = !here;
     if (!here) return;
-    if (revision !== this.#revision && !state.view.playing) {
+    if (revision !== this.#revision) {
       this.#revision = revision;
       this.#greatest = simulator.greatestForces();
     }
@@ -79,8 +81,10 @@ export class Forces {
   #written({ reactions, drives, applied }, snapshot) {
     const { words } = snapshot;
     const { numbers } = words;
-    const number = (/** @type {number | null} */ value) => (value === null ? INDETERMINATE : numbers.short(value));
-    const angle = (/** @type {Reaction} */ { value, direction }) => (value === null ? INDETERMINATE : direction === null ? NONE : `${numbers.fixed(degrees(direction), 1)}°`);
+    // What is zero by equilibrium is not written as the rounding error that it is.
+    const least = ROUNDING * Math.max(...reactions.map(({ value }) => value ?? 0), ...applied.map(({ x, y }) => Math.hypot(x, y)));
+    const number = (/** @type {number | null} */ value) => (value === null ? INDETERMINATE : numbers.short(Math.abs(value) < least ? 0 : value));
+    const angle = (/** @type {Reaction} */ { value, direction }) => (value === null ? INDETERMINATE : direction === null || value < least ? NONE : `${numbers.fixed(degrees(direction), 1)}°`);
     const unit = (/** @type {"newton" | "newton_metre"} */ name, /** @type {string} */ symbol) => [symbol, unitText(name, words)].filter(Boolean).join(", ");
     const [newton, moment] = [unit("newton", "R"), unit("newton_metre", "M")];
     const moments = reactions.some(({ kind }) => kind !== "hinge");
