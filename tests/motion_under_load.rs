@@ -197,6 +197,7 @@ fn a_steady_cycle_is_the_end_of_a_long_run() {
             links: ["crank".to_owned(), "frame".to_owned()],
             damping: 0.05,
         }],
+        flywheel: 0.0,
     };
     let loading = Loading::new(motion.mechanism(), &loading).unwrap();
     let motor = Motor::Linear {
@@ -208,7 +209,7 @@ fn a_steady_cycle_is_the_end_of_a_long_run() {
     let reading = run.reading();
     assert!(run.imbalance().abs() < 1e-10 * reading.work);
     for guess in [10.0, 33.0] {
-        let mut cycle = SteadyCycle::new(&motion, &loading, &motor, guess).unwrap();
+        let mut cycle = SteadyCycle::new(&motion, &loading, Some(&motor), guess).unwrap();
         let expected = cycle.rate(reading.input).unwrap();
         let off = (reading.rate - expected).abs() / expected;
         println!(
@@ -226,9 +227,9 @@ fn a_steady_cycle_is_the_end_of_a_long_run() {
         assert!((next.reading().input - before.input - TAU).abs() < 1e-8);
         assert!(cycle.non_uniformity() > 0.0);
     }
-    // Backwards the motor brakes: nothing drives the cycle.
-    let back = SteadyCycle::new(&motion, &loading, &Motor::NONE, 5.0);
-    assert_eq!(back.map(drop), Err(NoCycle::NotFound));
+    // Without a torque nothing drives the cycle.
+    let back = SteadyCycle::new(&motion, &loading, Some(&Motor::NONE), 5.0);
+    assert_eq!(back.map(drop), Err(NoCycle::Unbalanced));
 }
 
 /// A double rocker stops at its dead point, and the run says where.
@@ -268,7 +269,7 @@ fn a_run_ends_at_a_dead_point() {
         run.imbalance()
     );
     assert_eq!(
-        SteadyCycle::new(&motion, &loading, &Motor::NONE, 1.0).map(drop),
+        SteadyCycle::new(&motion, &loading, None, 1.0).map(drop),
         Err(NoCycle::NotFull)
     );
 }

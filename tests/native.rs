@@ -12,6 +12,7 @@ mod drivers;
 mod dynamics;
 mod errata;
 mod examples;
+mod flywheel;
 mod forces;
 mod gallery;
 mod golden;

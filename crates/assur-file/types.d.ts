@@ -113,6 +113,11 @@ export type LinkageDocument = {
 /** Dampers. */ dampers?: Array<DamperDocument>, 
 /** Motor of the first driver; without it the driver is free in a motion under load. */ motor?: MotorDocument | null, 
 /**
+ * Moment of inertia of a flywheel on the crank of the first driver, kg·m², whatever the unit of lengths; without it
+ * there is none.
+ */
+flywheel?: number | null, 
+/**
  * Rate of the input at the start of a motion under load: radians of a crank, or units of length, per second; 0 by
  * default. Reactions are those at this rate.
  */

@@ -209,7 +209,10 @@ pub(crate) fn run(out: &mut impl Write, asked: &RunAsked) -> Result<(), Failure>
     let loading = loading.map_err(|problems| source::refused(&asked.name, &problems))?;
     let one = |problem: LinkageProblem| source::refused(&asked.name, &[problem]);
     let motor = document.motor(mechanism).map_err(one)?;
-    let every = asked.every.unwrap_or(asked.until / 100.0);
+    let every = asked.every.unwrap_or_else(|| {
+        let digits = decimals(asked.until) + 2;
+        rounded(asked.until / 100.0, digits)
+    });
     if !(asked.until > 0.0
         && asked.until.is_finite()
         && every > 0.0
@@ -249,8 +252,9 @@ pub(crate) fn run(out: &mut impl Write, asked: &RunAsked) -> Result<(), Failure>
     )?;
     let energy = document.force_units().torque();
     let count = (asked.until / every * (1.0 + 1e-12)).floor() as usize;
+    let digits = decimals(every);
     for row in 0..=count {
-        let ended = run.advance(row as f64 * every).err();
+        let ended = run.advance(rounded(row as f64 * every, digits)).err();
         let now = run.reading();
         let energies = [now.kinetic, now.potential, now.work, now.lost].map(|part| part * energy);
         let values = [now.time, now.input, now.rate, now.acceleration]
@@ -271,4 +275,30 @@ pub(crate) fn run(out: &mut impl Write, asked: &RunAsked) -> Result<(), Failure>
         }
     }
     Ok(())
+}
+
+/// Number of digits after the decimal sign.
+fn decimals(value: f64) -> usize {
+    let text = value.to_string();
+    text.split_once('.').map_or(0, |(_, digits)| digits.len())
+}
+
+/// A number rounded to digits after the decimal sign: 0.3 for 3 · 0.1.
+fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.digits$}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_decimals_of_the_interval() {
+        let times = |every: f64| [1.0, 3.0, 7.0].map(|k| rounded(k * every, decimals(every)));
+        assert_eq!(times(0.1), [0.1, 0.3, 0.7]);
+        assert_eq!(times(0.07), [0.07, 0.21, 0.49]);
+        assert_eq!(times(2.0), [2.0, 6.0, 14.0]);
+        assert_eq!(times(1e-7), [1e-7, 3e-7, 7e-7]);
+        assert_eq!(rounded(0.7 / 100.0, decimals(0.7) + 2), 0.007);
+    }
 }

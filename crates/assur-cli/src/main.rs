@@ -6,6 +6,7 @@
 mod assemblies;
 mod circuits;
 mod csv;
+mod cycle;
 mod differential;
 mod exact;
 mod forces;
@@ -84,6 +85,19 @@ enum Command {
     ///
     /// Example: assur run crank.json --until 3 --every 0.01
     Run(forces::RunAsked),
+    /// Writes a table (CSV) of the steady cycle under load, without and with a flywheel for a wanted non-uniformity.
+    ///
+    /// The crank turns fully, driven by the motor of the file. Without a motor, a constant torque is found that keeps
+    /// the mean rate of --omega, or else the initial rate of the file. With --delta, flywheels are found by Wittenbauer's
+    /// diagram and by Mertsalov's method, and the cycle is run with each: `delta` is what it really reaches.
+    ///
+    /// Columns are the method (given: the flywheel of the file, if any), flywheel (moment of inertia on the crank, kg·m²),
+    /// delta (coefficient of non-uniformity), the mean, least and greatest rate of the crank (rad/s), torque (of the
+    /// drive at the mean rate, N·m) and period (seconds). `reason` says why a row has no cycle. With --json: {"rows":
+    /// [{"method", "flywheel", "delta", "mean", "least", "greatest", "torque", "period"}]}.
+    ///
+    /// Example: assur cycle press.json --omega 12 --delta 0.02
+    Cycle(cycle::Asked),
     /// Shows mobility, class, formula, passive wheels, the Assur groups in their order, and the range of the motion
     /// with its dead points and change points.
     ///
@@ -223,6 +237,7 @@ fn run(command: Command) -> Result<(), Failure> {
         Command::Sweep(asked) => sweep::write(&mut out, &asked)?,
         Command::Forces(asked) => forces::write(&mut out, &asked)?,
         Command::Run(asked) => forces::run(&mut out, &asked)?,
+        Command::Cycle(asked) => cycle::write(&mut out, &asked)?,
         Command::Structure {
             name,
             make_exact: true,

@@ -216,3 +216,117 @@ fn forces_that_are_none_are_said() {
         "needs a moving link with a mass",
     );
 }
+
+/// The slider-crank under a resistance on its working stroke.
+fn press() -> Value {
+    let mut document = slider_crank();
+    document["loads"] = json!([{"link": "slider", "point": "C", "direction_deg": 0,
+        "table": [[0, 0], [20, 300], [150, 300], [180, 0]]}]);
+    document["gravity"] = Value::Null;
+    document["initial_rate"] = json!(12);
+    document
+}
+
+/// The times of the table are decimals of its interval.
+#[test]
+fn times_of_a_run_are_as_asked() {
+    let file = Scratch::with("times.json", &press().to_string());
+    let table = Table::of(&said(&[
+        "run",
+        file.path(),
+        "--until",
+        "0.7",
+        "--every",
+        "0.1",
+    ]));
+    let times: Vec<&str> = (0..8).map(|row| table.cell(row, "t")).collect();
+    assert_eq!(
+        times,
+        ["0", "0.1", "0.2", "0.3", "0.4", "0.5", "0.6", "0.7"]
+    );
+}
+
+/// Without a flywheel the press stops at 12 rad/s; with those of both methods it turns as evenly as is asked.
+#[test]
+fn a_flywheel_for_a_press() {
+    let file = Scratch::with("press.json", &press().to_string());
+    let command = ["cycle", file.path(), "--delta", "0.04"];
+    let output = said(&command);
+    let table = Table::of(&output);
+    let header = [
+        "method", "flywheel", "delta", "mean", "least", "greatest", "torque", "period", "reason",
+    ];
+    assert_eq!(table.header, header);
+    let methods: Vec<&str> = (0..3).map(|row| table.cell(row, "method")).collect();
+    assert_eq!(methods, ["given", "Wittenbauer", "Mertsalov"]);
+    assert_eq!(
+        [table.cell(0, "flywheel"), table.cell(0, "delta")],
+        ["0", ""]
+    );
+    assert!(output.contains("too little energy"), "{output}");
+    for row in [1, 2] {
+        let number = |name: &str| table.number(row, name);
+        assert!((number("delta") - 0.04).abs() < 2e-4, "{output}");
+        assert!((number("mean") - 12.0).abs() < 1e-9);
+        let spread = (number("greatest") - number("least")) / 12.0;
+        assert!((spread - number("delta")).abs() < 1e-12);
+        assert!((number("period") - std::f64::consts::TAU / 12.0).abs() < 1e-12);
+    }
+    let [wittenbauer, mertsalov] = [1, 2].map(|row| table.number(row, "flywheel"));
+    // The reduced inertia of rod and slider is between 0 and 3 kg · (0.11 m)².
+    assert!(mertsalov > wittenbauer && mertsalov < wittenbauer + 0.04);
+
+    // Put on the crank, in kg·m² although the drawing is in millimetres, the flywheel does what is said of it.
+    let mut document = press();
+    document["flywheel"] = json!(wittenbauer);
+    let file = Scratch::with("wheel.json", &document.to_string());
+    let found: Value = serde_json::from_str(&said(&["cycle", file.path(), "--json"])).unwrap();
+    let row = &found["rows"][0];
+    assert_eq!(found["rows"].as_array().unwrap().len(), 1);
+    let delta = row["delta"].as_f64().unwrap();
+    assert!((delta - table.number(1, "delta")).abs() < 1e-9);
+    assert_eq!(row["method"], "given");
+}
+
+#[test]
+fn cycles_that_are_none_are_said() {
+    let told = |change: &dyn Fn(&mut Value), options: &[&str], expected: &str| {
+        let mut document = press();
+        change(&mut document);
+        let file = Scratch::with("no-cycle.json", &document.to_string());
+        let arguments = [&["cycle", file.path()], options].concat();
+        let (status, complaint) = refused(&arguments);
+        assert_eq!(status, 2, "{complaint}");
+        assert!(complaint.contains(expected), "{complaint}");
+    };
+    told(&|_| (), &[], "too little energy");
+    told(&|_| (), &["--delta", "0"], "--delta");
+    told(&|_| (), &["--delta", "2"], "--delta");
+    told(
+        &|one| one["initial_rate"] = json!(0),
+        &["--delta", "0.1"],
+        "needs an initial rate",
+    );
+    told(
+        &|one| one["motor"] = json!({"pull_out": 1, "slip": 0.2, "synchronous": 20}),
+        &[],
+        "at no speed does the motor do the work",
+    );
+    told(
+        &|one| one["flywheel"] = json!(-1),
+        &[],
+        "flywheel: a number",
+    );
+    let slide = |one: &mut Value| {
+        one["drivers"] = json!([{"slide": 0, "range": [250, 380]}]);
+        one["points"][2]["at"] = json!([350, 0]);
+        one["points"][1]["at"] = json!([50, 80]);
+    };
+    told(&slide, &[], "the input does not turn fully");
+    told(&slide, &["--delta", "0.1"], "A flywheel needs a crank");
+    let with = |one: &mut Value| {
+        slide(one);
+        one["flywheel"] = json!(1);
+    };
+    told(&with, &[], "A flywheel needs a crank");
+}

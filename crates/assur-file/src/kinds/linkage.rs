@@ -78,6 +78,10 @@ pub struct LinkageDocument {
     /// Motor of the first driver; without it the driver is free in a motion under load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motor: Option<MotorDocument>,
+    /// Moment of inertia of a flywheel on the crank of the first driver, kg·m², whatever the unit of lengths; without it
+    /// there is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flywheel: Option<f64>,
     /// Rate of the input at the start of a motion under load: radians of a crank, or units of length, per second; 0 by
     /// default. Reactions are those at this rate.
     #[serde(default, skip_serializing_if = "Option::is_none")]

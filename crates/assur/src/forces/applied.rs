@@ -63,14 +63,14 @@ pub(super) fn relative(state: &State<3>, [one, other]: [BodyId; 2]) -> [f64; 2] 
 }
 
 impl Loading {
-    /// Moving bodies with a mass, each with its centre of mass and its turn rates of [`turning`].
+    /// Moving bodies with a mass or a flywheel, each with its centre of mass and its turn rates of [`turning`].
     pub(super) fn moving_masses(
         &self,
         state: &State<3>,
     ) -> impl Iterator<Item = (BodyId, &BodyMass, Complex<3>, [f64; 2])> {
         let moving = self.masses.enumerate().skip(1);
         moving
-            .filter(|(_, mass)| mass.mass != 0.0)
+            .filter(|(_, mass)| mass.mass != 0.0 || mass.inertia != 0.0)
             .map(|(body, mass)| {
                 let local = mass.centre;
                 let centre = state.place(BodyPoint { body, local });
@@ -88,7 +88,7 @@ impl Loading {
     ) {
         for (body, mass, centre, [turn, twice]) in self.moving_masses(state) {
             let (at, square) = (centre[0], rate * rate);
-            if self.gravity != Vector::zeros() {
+            if mass.mass != 0.0 && self.gravity != Vector::zeros() {
                 list.push(Applied {
                     body,
                     at,

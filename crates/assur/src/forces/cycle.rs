@@ -1,16 +1,19 @@
 //! The steady cycle: the motion under load that repeats with the cycle of the linkage.
 
-use super::run::System;
-use super::{Loading, Motor, NoRun};
-use crate::motion::Motion;
-use crate::numeric::gauss::Adaptive;
-use crate::numeric::newton::{MAX_STEPS_FROM_DRAWING, is_exact, newton};
+use std::cell::RefCell;
 
-/// Error of a step before its extrapolation, relative to the kinetic energy.
-const ERROR: f64 = 1e-13;
-/// Length of the first step, and the shortest one, as parts of the period.
-const FIRST: f64 = 1e-3;
-const SHORTEST: f64 = 1e-12;
+use super::along::{Along, Reached};
+use super::balance::{Balance, period};
+use super::system::System;
+use super::{Loading, Motor, NoRun};
+use crate::motion::{Motion, TooManyTurns};
+use crate::numeric::linear::solve;
+use crate::numeric::newton::{MAX_STEPS_FROM_DRAWING, is_exact, newton};
+use crate::numeric::roots::root;
+use crate::tolerance;
+
+/// Part of a change below which the changes of Newton's method no longer shrink: the rest is rounding.
+const SETTLED: f64 = 0.1;
 
 /// Steady cycle of a linkage whose crank turns fully. Over the input φ the kinetic energy E = ½Jφ̇² satisfies
 /// dE/dφ = M(φ, φ̇); the cycle is a fixed point of one period, found by Newton's method.
@@ -26,8 +29,23 @@ pub struct SteadyCycle {
     pub multiplier: f64,
     /// Duration of a cycle.
     pub time: f64,
-    /// Least and greatest rate of the input at the ends of the steps of integration.
+    /// Rate of the input where its magnitude is least, and where it is greatest.
     pub rates: [f64; 2],
+}
+
+/// Point of a steady cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CyclePoint {
+    /// Time since the start of the cycle, at the input of the drawing.
+    pub time: f64,
+    /// Input.
+    pub input: f64,
+    /// Rate of the input.
+    pub rate: f64,
+    /// Acceleration of the input.
+    pub acceleration: f64,
+    /// Kinetic energy.
+    pub kinetic: f64,
 }
 
 /// Reason why there is no steady cycle.
@@ -37,138 +55,160 @@ pub enum NoCycle {
     Run(NoRun),
     /// The input cannot turn fully.
     NotFull,
-    /// From every rate that was tried the linkage stops, or its energy does not settle.
+    /// The motion repeats only after too many turns.
+    TooManyTurns(TooManyTurns),
+    /// At no rate does the motor do over a cycle the work that the loads take.
+    Unbalanced,
+    /// From the rate at which the works balance the linkage stops, or its energy does not settle.
     NotFound,
 }
 
-/// What a period does to the energy: its value at the end, its derivative with respect to that at the start, the time.
-struct Period {
-    energy: f64,
-    slope: f64,
-    time: f64,
-    rates: [f64; 2],
-}
-
 impl SteadyCycle {
-    /// The steady cycle near a rate of the input, whose sign is that of the cycle.
+    /// The steady cycle with a motor near a rate of the input, whose sign is that of the cycle; at the rate zero, near
+    /// the rates of the motor. Without a motor, a constant torque drives the cycle at the rate as its mean over time.
     ///
     /// # Errors
     /// The reason why there is none.
     pub fn new(
         motion: &Motion,
         loading: &Loading,
-        motor: &Motor,
+        motor: Option<&Motor>,
         rate: f64,
     ) -> Result<Self, NoCycle> {
-        let mut system = System::new(motion, loading, motor).map_err(NoCycle::Run)?;
-        let period = motion.cycle().period().filter(|_| motion.cycle().is_full());
-        let period = period.ok_or(NoCycle::NotFull)?;
-        if !rate.is_finite() || rate == 0.0 {
-            return Err(NoCycle::Run(NoRun::Rate));
-        }
+        let system = System::new(motion, loading, motor.unwrap_or(&Motor::NONE));
+        let mut system = system.map_err(NoCycle::Run)?;
+        let steady = Balance::new(&mut system)?.steady(motor, rate)?;
+        system.motor = steady.motor;
         let start = motion.drawn_input();
-        let period = period * rate.signum();
+        let period = period(motion)?.copysign(steady.rate);
         let reduced = system.reduced(start);
         let reduced = reduced.ok_or(NoCycle::Run(NoRun::NoInertia))?;
-        let mut energy = reduced.kinetic(rate);
+        let mut energy = reduced.kinetic(steady.rate);
         let step = || {
             let one = over(&mut system, [start, period], energy)?;
-            let change = (one.energy - energy) / (1.0 - one.slope);
+            let off = energy - one.energy;
+            let grows = one.energy_by[0] - 1.0;
+            let [change, torque] = if steady.is_held {
+                let late = period / steady.rate - one.time;
+                solve([[grows, one.energy_by[1]], one.time_by], [off, late])?
+            } else {
+                [off / grows, 0.0]
+            };
+            if steady.is_held {
+                system.motor = Motor::Constant(system.motor.torque(0.0)[0] + torque);
+            }
             // A step never takes all of the energy.
             let next = (energy + change).max(0.25 * energy);
-            let size = (next - energy).abs() / next;
+            let size = ((next - energy).abs() + (torque * period).abs()) / next;
             energy = next;
             Some(size)
         };
-        newton(MAX_STEPS_FROM_DRAWING, step, is_exact).map_err(|_| NoCycle::NotFound)?;
+        let is_last = |change: f64, last: f64| {
+            is_exact(change, last) || (change <= tolerance::COINCIDENT && change >= SETTLED * last)
+        };
+        newton(MAX_STEPS_FROM_DRAWING, step, is_last).map_err(|_| NoCycle::NotFound)?;
         let found = over(&mut system, [start, period], energy).ok_or(NoCycle::NotFound)?;
+        let rates = extremes(&mut system, [start, period], energy).ok_or(NoCycle::NotFound)?;
         Ok(Self {
             system,
             start,
             period,
             energy,
-            multiplier: found.slope,
+            multiplier: found.energy_by[0],
             time: found.time,
-            rates: found.rates,
+            rates,
         })
     }
 
     /// Rate of the input at an input; None if the input has no pose.
     pub fn rate(&mut self, input: f64) -> Option<f64> {
-        let ahead = (input - self.start).rem_euclid(self.period.abs());
-        let way = if self.period < 0.0 {
-            ahead - self.period.abs()
-        } else {
-            ahead
+        let sense = self.period.signum();
+        let length = (sense * (input - self.start)).rem_euclid(self.period.abs());
+        let mut along = Along::new(&mut self.system, self.start, sense, self.energy)?;
+        along.go(&mut self.system, length)?;
+        along.rates(&mut self.system).map(|[rate, _]| rate)
+    }
+
+    /// Points of the cycle at equal steps of the input; the last is the first a period later.
+    pub fn points(&mut self, steps: usize) -> Vec<CyclePoint> {
+        let Self { system, period, .. } = self;
+        let along = Along::new(system, self.start, period.signum(), self.energy);
+        let Some(mut along) = along else {
+            return Vec::new();
         };
-        let at = over(&mut self.system, [self.start, way], self.energy)?;
-        let reduced = self.system.reduced(input)?;
-        Some(
-            (2.0 * at.energy / reduced.inertia)
-                .sqrt()
-                .copysign(self.period),
-        )
+        let points = (0..=steps).map_while(|k| {
+            along.go(system, period.abs() * k as f64 / steps.max(1) as f64)?;
+            let [rate, acceleration] = along.rates(system)?;
+            let Reached { time, energy, .. } = along.reached(system);
+            Some(CyclePoint {
+                time,
+                input: along.input(),
+                rate,
+                acceleration,
+                kinetic: energy,
+            })
+        });
+        points.collect()
+    }
+
+    /// Mean rate of the input over time.
+    pub fn mean(&self) -> f64 {
+        self.period / self.time
+    }
+
+    /// The drive: the motor, or the constant torque that takes its place.
+    pub fn motor(&self) -> &Motor {
+        &self.system.motor
     }
 
     /// Coefficient of non-uniformity δ = (ω_max − ω_min)/ω_m with the mean rate over time ω_m.
     pub fn non_uniformity(&self) -> f64 {
         let [least, most] = self.rates;
-        (most - least) * self.time / self.period.abs()
+        (most - least) / self.mean()
     }
 }
 
 /// Integrates the energy over a way of the input; None if the linkage stops on it.
-fn over(system: &mut System, [start, way]: [f64; 2], energy: f64) -> Option<Period> {
-    let length = way.abs();
-    let sense = way.signum();
-    let speed = |energy: f64, inertia: f64| (2.0 * energy / inertia).sqrt();
-    let first = speed(energy, system.reduced(start)?.inertia);
-    let mut done = 0.0;
-    // Energy as a part of that at the start, its derivative with respect to that at the start, and the time multiplied
-    // by the rate at the start: all of the same size.
-    let mut state = [1.0, 1.0, 0.0];
-    let mut rates = [first; 2];
-    let mut steps = Adaptive::<3>::new(FIRST * system.unit * std::f64::consts::TAU);
-    let least = SHORTEST * system.unit;
-    while done < length {
-        let from = start + sense * done;
-        let most = length - done;
-        let [part, slope, _] = state;
-        let advance = steps.step(
-            [most, least.min(most)],
-            &[part, slope, 0.0],
-            |moment| {
-                let [part, slope, _] = moment.rates;
-                let slopes = system.reduced(from + sense * moment.time).map(|reduced| {
-                    let speed = speed(part * energy, reduced.inertia);
-                    let rate = sense * speed;
-                    let [motor, by_rate] = system.motor.torque(rate);
-                    let by_rate = by_rate + reduced.linear + 2.0 * reduced.quadratic * speed;
-                    let torque = reduced.torque(rate) + motor;
-                    let by_energy = by_rate / (reduced.inertia * speed);
-                    [sense * torque / energy, by_energy * slope, first / speed]
-                });
-                slopes.unwrap_or([f64::NAN; 3])
-            },
-            |[_, off]| off.into_iter().map(f64::abs).fold(0.0, f64::max) / (ERROR * part),
-        )?;
-        for (value, gained) in state.iter_mut().zip(advance.gained) {
-            *value += gained;
+fn over(system: &mut System, [start, way]: [f64; 2], energy: f64) -> Option<Reached> {
+    let mut along = Along::new(system, start, way.signum(), energy)?;
+    along.go(system, way.abs())?;
+    Some(along.reached(system))
+}
+
+/// Rates of least and greatest magnitude over a way of the input.
+fn extremes(system: &mut System, [start, way]: [f64; 2], energy: f64) -> Option<[f64; 2]> {
+    let mut along = Along::new(system, start, way.signum(), energy)?;
+    let [rate, mut acceleration] = along.rates(system)?;
+    let mut found = [rate; 2];
+    let mut note = |rate: f64| {
+        if rate.abs() < found[0].abs() {
+            found[0] = rate;
         }
-        done = if most - advance.length <= 4.0 * f64::EPSILON * length {
-            length
-        } else {
-            done + advance.length
-        };
-        let reduced = system.reduced(start + sense * done)?;
-        let rate = speed(state[0] * energy, reduced.inertia);
-        rates = [rates[0].min(rate), rates[1].max(rate)];
+        if rate.abs() > found[1].abs() {
+            found[1] = rate;
+        }
+    };
+    while along.done() < way.abs() {
+        let (before, was) = (along, acceleration);
+        along.step(system, way.abs())?;
+        let [rate, now] = along.rates(system)?;
+        note(rate);
+        acceleration = now;
+        // The rate is extreme where its acceleration vanishes.
+        if was * now < 0.0 {
+            let shared = RefCell::new(&mut *system);
+            let at = |length: f64| {
+                let mut part = before;
+                let system = &mut **shared.borrow_mut();
+                part.go(system, length)?;
+                part.rates(system)
+            };
+            let ends = [[before.done(), was], [along.done(), now]];
+            let extreme = root(ends, |length| {
+                at(length).map(|[_, acceleration]| acceleration)
+            });
+            note(at(extreme?)?[0]);
+        }
     }
-    let [part, slope, time] = state;
-    (part > 0.0).then_some(Period {
-        energy: part * energy,
-        slope,
-        time: time / first,
-        rates,
-    })
+    Some(found)
 }

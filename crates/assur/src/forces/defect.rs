@@ -18,6 +18,8 @@ pub enum Part {
     Damper,
     /// The motor.
     Motor,
+    /// The flywheel.
+    Flywheel,
 }
 
 /// A defect of a loading. A part is named by its kind and its index in its list, from 0.
@@ -50,4 +52,6 @@ pub enum Defect {
     NoNumber { part: Part, index: usize },
     /// A spring or damper between two points of one body, or between a link and itself: it does nothing.
     Idle { part: Part, index: usize },
+    /// A flywheel on a linkage whose first driver is no crank.
+    NoCrank,
 }

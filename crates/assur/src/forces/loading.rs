@@ -1,6 +1,6 @@
 //! A valid loading of a mechanism: masses of its bodies, and forces at places of its bodies.
 
-use super::masses::{BodyMass, mass};
+use super::masses::{BodyMass, crank, mass};
 use super::spec::{AnchorSpec, DamperSpec, LoadSpec, LoadingSpec, SpringSpec};
 use super::{Defect, Law, Part};
 use crate::Vector;
@@ -21,6 +21,9 @@ pub struct Loading {
     pub(super) dampers: Vec<Damper>,
     /// True if the input is the angle of a crank.
     pub(super) turns: bool,
+    /// The crank of the first driver, with its moment of inertia without the flywheel.
+    crank: Option<(BodyId, f64)>,
+    flywheel: f64,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -107,20 +110,67 @@ impl Loading {
         let dampers =
             dampers.map(|(index, damper)| names.about(Part::Damper, index).damper(damper));
         let dampers = all(dampers);
+        names
+            .about(Part::Flywheel, 0)
+            .not_negative(&[spec.flywheel]);
+        let masses: List<BodyId, BodyMass> = mechanism
+            .bodies()
+            .map(|body| mass(mechanism, body))
+            .collect();
+        let crank = crank(mechanism).map(|body| (body, masses[body].inertia));
+        if spec.flywheel > 0.0 && crank.is_none() {
+            names.defects.push(Defect::NoCrank);
+        }
         match (loads, springs, dampers) {
-            (Some(loads), Some(springs), Some(dampers)) if names.defects.is_empty() => Ok(Self {
-                masses: mechanism
-                    .bodies()
-                    .map(|body| mass(mechanism, body))
-                    .collect(),
-                gravity: spec.gravity,
-                loads,
-                springs,
-                dampers,
-                turns: mechanism.turns(),
-            }),
+            (Some(loads), Some(springs), Some(dampers)) if names.defects.is_empty() => {
+                let loading = Self {
+                    masses,
+                    gravity: spec.gravity,
+                    loads,
+                    springs,
+                    dampers,
+                    turns: mechanism.turns(),
+                    crank,
+                    flywheel: 0.0,
+                };
+                Ok(loading.with_flywheel(spec.flywheel))
+            }
             _ => Err(names.defects),
         }
+    }
+
+    /// Moment of inertia of the flywheel; zero without one.
+    pub fn flywheel(&self) -> f64 {
+        self.flywheel
+    }
+
+    /// The same loading with a flywheel of another moment of inertia, which is not negative, instead of its own. If the
+    /// first driver is no crank, nothing changes.
+    pub fn with_flywheel(&self, flywheel: f64) -> Self {
+        let mut loading = self.clone();
+        if let Some((body, own)) = self.crank {
+            loading.masses[body].inertia = own + flywheel;
+            loading.flywheel = flywheel;
+        }
+        loading
+    }
+
+    /// Inputs at which the tables of the loads have knots.
+    pub(super) fn knots(&self) -> impl Iterator<Item = f64> {
+        let laws = self.loads.iter().filter_map(|load| match load {
+            Load::Force { law, .. } | Load::Torque { law, .. } => Some(law),
+            Load::Drag { .. } | Load::AngularDrag { .. } => None,
+        });
+        laws.flat_map(|law| match law {
+            Law::Table(knots) => knots.as_slice(),
+            Law::Constant(_) | Law::Harmonics(_) => &[],
+        })
+        .map(|[input, _]| *input)
+    }
+
+    /// True if the first driver is a crank, which can bear a flywheel.
+    pub fn bears_flywheel(&self) -> bool {
+        self.crank.is_some()
     }
 }
 

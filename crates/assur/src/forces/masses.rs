@@ -2,7 +2,7 @@
 
 use crate::Vector;
 use crate::index::{BodyId, LinkId};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{DriverSpec, Mechanism};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct BodyMass {
@@ -100,5 +100,13 @@ fn mass_of_link(mechanism: &Mechanism, body: BodyId, link: LinkId) -> BodyMass {
         mass,
         centre,
         inertia: spec.inertia.unwrap_or(bar),
+    }
+}
+
+/// The crank of the first driver.
+pub(super) fn crank(mechanism: &Mechanism) -> Option<BodyId> {
+    match mechanism.spec().drivers.first()? {
+        DriverSpec::Crank { link, .. } => Some(mechanism.body_of(Some(mechanism.link(link)?))),
+        DriverSpec::Slide { .. } => None,
     }
 }

@@ -16,15 +16,21 @@
 //! | `kinetostatics`, `reactions` | reactions of all pairs and balancing torques of all drivers in a pose |
 //! | `reduced` | moment of inertia and torque reduced to the input; energies |
 //! | `motor` | the torque of a motor by its speed |
-//! | `run` | motion of the input in time |
-//! | `cycle` | the steady cycle: motion that repeats with the linkage |
+//! | `system`, `run` | the linkage as a system of one freedom; motion of the input in time |
+//! | `balance` | the work of the loads over a cycle, and the rate at which a motor does it |
+//! | `cycle`, `along` | the steady cycle: motion that repeats with the linkage |
+//! | `diagram`, `flywheel` | Wittenbauer's diagram; the flywheel for a wanted non-uniformity |
 //!
 //! A body stands for a link with the links that are fixed to it; its reactions are those of all of them together.
 
+mod along;
 mod applied;
+mod balance;
 mod block;
 mod cycle;
 mod defect;
+mod diagram;
+mod flywheel;
 mod kinetostatics;
 mod law;
 mod loading;
@@ -35,10 +41,13 @@ mod reactions;
 mod reduced;
 mod run;
 mod spec;
+mod system;
 
 pub use applied::{Applied, Source};
-pub use cycle::{NoCycle, SteadyCycle};
+pub use cycle::{CyclePoint, NoCycle, SteadyCycle};
 pub use defect::{Defect, Part};
+pub use diagram::{Diagram, DiagramPoint};
+pub use flywheel::{MAX_NON_UNIFORMITY, Mertsalov, Wittenbauer};
 pub use kinetostatics::{Kinetostatics, Unbalanced};
 pub use law::{Harmonic, Law};
 pub use loading::Loading;

@@ -1,7 +1,7 @@
 //! The motor of the first driver: its torque by its speed.
 
 use super::{Defect, Part};
-use crate::tolerance::FARTHEST;
+use crate::tolerance::{self, FARTHEST};
 
 /// Torque of the motor on the driven link by the rate ω of its coordinate; a force if a slide is driven.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,6 +60,21 @@ impl Motor {
         is_valid
             .then_some(())
             .ok_or(Defect::NoNumber { part, index })
+    }
+
+    /// A rate by which rates of this motor can be measured: without load, synchronous, or the last of the table.
+    pub(super) fn fastest(&self) -> f64 {
+        match self {
+            Self::Constant(_) => 1.0,
+            Self::Linear { no_load: rate, .. }
+            | Self::Kloss {
+                synchronous: rate, ..
+            } => *rate,
+            Self::Table(knots) => {
+                let rates = knots.iter().map(|[rate, _]| rate.abs());
+                rates.fold(0.0, f64::max).max(tolerance::NEAR)
+            }
+        }
     }
 
     /// Torque at a rate, and its derivative with respect to the rate.

@@ -1,10 +1,9 @@
 //! Motion under load: the input over time, with an account of the energy.
 
-use super::applied::relative;
-use super::loading::Spring;
-use super::{Defect, Loading, Motor, Reduced};
+use super::system::System;
+use super::{Defect, Loading, Motor};
 use crate::angle::sum;
-use crate::mechanism::{Pose, Unsolved};
+use crate::mechanism::Unsolved;
 use crate::motion::{DeadPoint, Motion};
 use crate::numeric::gauss::Adaptive;
 use crate::tolerance;
@@ -16,6 +15,12 @@ const ERROR: f64 = 1e-13;
 /// inversely proportional to the distance from a dead point, has half of its digits.
 const AT_END: f64 = tolerance::COINCIDENT;
 
+/// Part of the greatest speed below which a linkage is at rest.
+const REST: f64 = 1e-4;
+
+/// Most trials for a step that ends at a knot of a table.
+const TRIALS: usize = 6;
+
 /// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
 const SHORTEST: f64 = 1e-12;
 
@@ -25,25 +30,14 @@ const SHORTEST: f64 = 1e-12;
 /// energies shows the error.
 #[derive(Clone, Debug)]
 pub struct Run {
-    pub(super) system: System,
+    system: System,
     state: State,
     /// Steps of the input, of the work and of the lost energy.
     steps: Adaptive<3>,
     /// Kinetic and potential energy at the start.
     opening: f64,
-}
-
-/// A linkage under load with one freedom.
-#[derive(Clone, Debug)]
-pub(super) struct System {
-    pub(super) motion: Motion,
-    pub(super) loading: Loading,
-    pub(super) motor: Motor,
-    /// Scalar product of gravity with the origin of the coordinates used while solving.
-    height: f64,
-    pose: Pose<3>,
-    /// Unit of the input: a radian, or a part of the range of a slide.
-    pub(super) unit: f64,
+    /// Greatest speed so far, see [`Self::rests`].
+    fastest: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -109,63 +103,6 @@ pub enum Halt {
     },
 }
 
-impl System {
-    pub(super) fn new(motion: &Motion, loading: &Loading, motor: &Motor) -> Result<Self, NoRun> {
-        motor.check().map_err(NoRun::Motor)?;
-        let mechanism = motion.mechanism();
-        if mechanism.spec().drivers.len() != 1 {
-            return Err(NoRun::SeveralDrivers);
-        }
-        if loading.masses.iter().all(|mass| mass.mass == 0.0) {
-            return Err(NoRun::NoInertia);
-        }
-        let mut system = Self {
-            motion: motion.clone(),
-            loading: loading.clone(),
-            motor: motor.clone(),
-            height: mechanism.middle().coords.dot(&loading.gravity),
-            pose: mechanism.blank(),
-            unit: mechanism.span() / std::f64::consts::TAU,
-        };
-        match system.wound() {
-            Some(index) => Err(NoRun::Wound(index)),
-            None => Ok(system),
-        }
-    }
-
-    /// A spring between links of which one turns fully relative to the other over the cycle of the motion.
-    fn wound(&mut self) -> Option<usize> {
-        let cycle = self.motion.cycle();
-        let &[from, to] = cycle.arcs().first().filter(|_| cycle.is_full())?;
-        let ends = [from, to - tolerance::DOUBLE_ROOT * (to - from)];
-        let springs = self.loading.springs.clone();
-        springs.iter().position(|spring| {
-            let Spring::Torsion { bodies, .. } = spring else {
-                return false;
-            };
-            let angles = ends.map(|input| {
-                let placed = self.motion.place(input, &mut self.pose);
-                placed.map(|()| relative(self.pose.state(), *bodies)[0])
-            });
-            matches!(angles, [Ok(first), Ok(last)] if (last - first).abs() > 1.0)
-        })
-    }
-
-    /// Reduced quantities at an input; None where there is no pose.
-    pub(super) fn reduced(&mut self, input: f64) -> Option<Reduced> {
-        self.motion.place(input, &mut self.pose).ok()?;
-        let reduced = self
-            .loading
-            .reduced_in(self.pose.state(), input, self.height);
-        (reduced.inertia > 0.0).then_some(reduced)
-    }
-
-    pub(super) fn acceleration(&self, reduced: &Reduced, rate: f64) -> f64 {
-        let torque = reduced.torque(rate) + self.motor.torque(rate)[0];
-        (torque - 0.5 * reduced.inertia_slope * rate * rate) / reduced.inertia
-    }
-}
-
 impl Run {
     /// Run of a motion from an input at a rate, at time zero.
     ///
@@ -181,10 +118,7 @@ impl Run {
         if !(-tolerance::FARTHEST..=tolerance::FARTHEST).contains(&rate) {
             return Err(NoRun::Rate);
         }
-        system
-            .motion
-            .place(input, &mut system.pose)
-            .map_err(NoRun::Start)?;
+        system.place(input).map_err(NoRun::Start)?;
         let reduced = system.reduced(input).ok_or(NoRun::NoInertia)?;
         let acceleration = system.acceleration(&reduced, rate);
         // A first guess: the time in which the input moves by a hundredth of its unit.
@@ -202,7 +136,22 @@ impl Run {
                 lost: 0.0,
             },
             steps: Adaptive::new(length),
+            fastest: 0.0,
         })
+    }
+
+    /// The motion.
+    pub fn motion(&self) -> &Motion {
+        &self.system.motion
+    }
+
+    /// True if nothing moves, or moves any more: the speed, and that which the acceleration would give within a radian,
+    /// are a small part of the greatest so far.
+    pub fn rests(&mut self) -> bool {
+        let now = self.reading();
+        let speed = now.rate.abs() + (now.acceleration.abs() * self.system.unit).sqrt();
+        self.fastest = self.fastest.max(speed);
+        speed <= REST * self.fastest
     }
 
     /// The state at the current time.
@@ -298,7 +247,8 @@ impl Run {
         let unit = system.unit;
         let (input, rest) = state.input;
         let here = system.reduced(input)?;
-        let acceleration = system.acceleration(&here, state.rate).abs();
+        let pull = system.acceleration(&here, state.rate);
+        let acceleration = pull.abs();
         // Rate at which the input moves by its unit, also from rest.
         let scale = state.rate.abs() + (acceleration * unit).sqrt();
         let (least, momentum) = if scale > 0.0 {
@@ -306,30 +256,45 @@ impl Run {
         } else {
             (0.0, here.inertia)
         };
+        let sense = if state.rate == 0.0 { pull } else { state.rate }.signum();
+        let way = system.way_to_knot(input, sense);
+        let before = *steps;
         // Powers are divided by a momentum, so that they are of the size of the acceleration.
-        let advance = steps.step(
-            [most, least.min(most)],
-            &[state.rate, 0.0, 0.0],
-            |moment| {
-                let rate = moment.rates[0];
-                let reduced = system.reduced(input + (rest + moment.moved[0]));
-                reduced.map_or([f64::NAN; 3], |reduced| {
-                    let motor = system.motor.torque(rate)[0];
-                    let work = (motor + reduced.load) * rate;
-                    let lost = -reduced.resistance(rate) * rate;
-                    let acceleration = system.acceleration(&reduced, rate);
-                    [acceleration, work / momentum, lost / momentum]
-                })
-            },
-            |[moved, gained]| {
-                let rate = if scale > 0.0 {
-                    gained[0].abs() / scale
-                } else {
-                    0.0
-                };
-                (moved[0].abs() / unit).max(rate) / ERROR
-            },
-        )?;
+        let mut trial = |most: f64| {
+            *steps = before;
+            steps.step(
+                [most, least.min(most)],
+                &[state.rate, 0.0, 0.0],
+                |moment| {
+                    let rate = moment.rates[0];
+                    let reduced = system.reduced(input + (rest + moment.moved[0]));
+                    reduced.map_or([f64::NAN; 3], |reduced| {
+                        let motor = system.motor.torque(rate)[0];
+                        let work = (motor + reduced.load) * rate;
+                        let lost = -reduced.resistance(rate) * rate;
+                        let acceleration = system.acceleration(&reduced, rate);
+                        [acceleration, work / momentum, lost / momentum]
+                    })
+                },
+                |[moved, gained]| {
+                    let rate = if scale > 0.0 {
+                        gained[0].abs() / scale
+                    } else {
+                        0.0
+                    };
+                    (moved[0].abs() / unit).max(rate) / ERROR
+                },
+            )
+        };
+        // A step beyond a knot would not see it if no stage is behind it: it ends at the knot.
+        let mut advance = trial(most)?;
+        for _ in 0..TRIALS {
+            let moved = advance.moved[0].abs();
+            if moved <= way + tolerance::NEGLIGIBLE * unit {
+                break;
+            }
+            advance = trial(advance.length * way / moved)?;
+        }
         let [rate, work, lost] = advance.gained;
         state.input = sum(input, rest + advance.moved[0]);
         state.rate = add(&mut state.rest, state.rate, rate);

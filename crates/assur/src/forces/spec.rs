@@ -14,6 +14,8 @@ pub struct LoadingSpec {
     pub springs: Vec<SpringSpec>,
     /// Dampers.
     pub dampers: Vec<DamperSpec>,
+    /// Moment of inertia of a flywheel on the crank of the first driver; zero without one.
+    pub flywheel: f64,
 }
 
 impl Default for LoadingSpec {
@@ -24,6 +26,7 @@ impl Default for LoadingSpec {
             loads: Vec::new(),
             springs: Vec::new(),
             dampers: Vec::new(),
+            flywheel: 0.0,
         }
     }
 }

@@ -13,10 +13,10 @@ use crate::tolerance;
 const ROOT: f64 = 3.872_983_346_207_417;
 
 /// Nodes cⱼ of the stages, as fractions of the step.
-const C: [f64; 3] = [0.5 - ROOT / 10.0, 0.5, 0.5 + ROOT / 10.0];
+pub(crate) const C: [f64; 3] = [0.5 - ROOT / 10.0, 0.5, 0.5 + ROOT / 10.0];
 
 /// Weights bⱼ of the stages.
-const B: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
+pub(crate) const B: [f64; 3] = [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0];
 
 /// Coefficients aᵢⱼ of the stages (Runge–Kutta matrix).
 const A: [[f64; 3]; 3] = [

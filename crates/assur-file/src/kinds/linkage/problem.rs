@@ -132,6 +132,18 @@ pub enum LinkageProblem {
     RunNoInertia,
     /// A spring between two links of which one turns fully relative to the other.
     RunWound { path: String },
+    /// A flywheel on a linkage whose first driver is no crank.
+    FlywheelNoCrank,
+    /// A steady cycle without a motor and without a mean rate.
+    CycleNoRate,
+    /// A steady cycle of a driver that does not turn fully.
+    CycleNotFull,
+    /// A steady cycle for whose loads the motor does too little work, or too much, at any rate.
+    CycleUnbalanced,
+    /// A steady cycle on whose way the linkage stops.
+    CycleNotFound,
+    /// A coefficient of non-uniformity that is not greater than zero, or too great.
+    BadNonUniformity { max: f64 },
     /// Links whose reactions are unbounded in a singular pose.
     ReactionsUnbounded { links: Vec<String> },
     /// A defect of the specification.

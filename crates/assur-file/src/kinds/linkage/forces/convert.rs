@@ -5,8 +5,8 @@
 
 use assur::Vector;
 use assur::forces::{
-    AnchorSpec, DamperSpec, Defect, Harmonic, Law, LoadSpec, Loading, LoadingSpec, Motor, NoRun,
-    Part, SpringSpec,
+    AnchorSpec, DamperSpec, Defect, Harmonic, Law, LoadSpec, Loading, LoadingSpec, Motor, NoCycle,
+    NoRun, Part, SpringSpec,
 };
 use assur::mechanism::Mechanism;
 
@@ -98,6 +98,7 @@ impl LinkageDocument {
             loads: known(loads, &mut unclear),
             springs: known(springs, &mut unclear),
             dampers: known(dampers, &mut unclear),
+            flywheel: self.flywheel.unwrap_or(0.0) / units.torque(),
         };
         if unclear.is_empty() {
             Ok(spec)
@@ -244,6 +245,7 @@ impl LinkageProblem {
         let path = |part: &Part, index: usize| match part {
             Part::Gravity => "gravity".to_owned(),
             Part::Motor => "motor".to_owned(),
+            Part::Flywheel => "flywheel".to_owned(),
             Part::Load => format!("loads[{index}]"),
             Part::Spring => format!("springs[{index}]"),
             Part::Damper => format!("dampers[{index}]"),
@@ -269,6 +271,7 @@ impl LinkageProblem {
             Defect::Idle { part, index } => Self::ForceIdle {
                 path: path(part, *index),
             },
+            Defect::NoCrank => Self::FlywheelNoCrank,
         }
     }
 
@@ -285,6 +288,18 @@ impl LinkageProblem {
             NoRun::Wound(index) => Self::RunWound {
                 path: format!("springs[{index}]"),
             },
+        }
+    }
+
+    /// The reason why there is no steady cycle.
+    pub fn no_cycle(reason: &NoCycle, mechanism: &Mechanism) -> Self {
+        match reason {
+            NoCycle::Run(NoRun::Rate) => Self::CycleNoRate,
+            NoCycle::Run(reason) => Self::no_run(reason, mechanism),
+            NoCycle::NotFull => Self::CycleNotFull,
+            NoCycle::TooManyTurns(turns) => (*turns).into(),
+            NoCycle::Unbalanced => Self::CycleUnbalanced,
+            NoCycle::NotFound => Self::CycleNotFound,
         }
     }
 }
