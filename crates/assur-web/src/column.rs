@@ -15,10 +15,14 @@ pub(crate) enum Column {
 }
 
 impl Column {
-    /// The column with a name such as `C.dx` or `B.reaction`.
-    pub(crate) fn named(mechanism: &Mechanism, forces: &Forces, name: &str) -> Option<Self> {
+    /// The column with a name such as `C.dx` or `B.reaction`. `forces` are asked for only if the name is that of a force.
+    pub(crate) fn named<'a>(
+        mechanism: &Mechanism,
+        forces: impl Fn() -> &'a Forces,
+        name: &str,
+    ) -> Option<Self> {
         if is_of_forces(name) {
-            return ForceQuantity::named(forces, name).map(Self::Force);
+            return ForceQuantity::named(forces(), name).map(Self::Force);
         }
         Kinematic::named(mechanism, name).map(Self::Kinematic)
     }

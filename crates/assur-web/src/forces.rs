@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use assur::forces::{Kinetostatics, Loading, Reactions};
 use assur::mechanism::{Mechanism, Pose};
 use assur_draw::ForceScale;
-use assur_file::{ForceUnits, LinkageDocument, LinkageProblem, Problem, View};
+use assur_file::{ForceUnits, LinkageDocument, LinkageProblem, Problem};
 
 use crate::moving::Moving;
 use crate::reactions::GreatestHere;
@@ -26,27 +26,45 @@ pub(crate) struct Forces {
 }
 
 impl Forces {
-    /// The loading of a document's mechanism.
+    /// Masses, gravity and loads of a document, with the rates of its input.
     ///
     /// # Errors
     /// Every problem of gravity, loads, springs, dampers and motor.
     pub(crate) fn new(
         document: &LinkageDocument,
         mechanism: &Mechanism,
-        view: &View,
+        rates: [f64; 2],
     ) -> Result<Self, Vec<Problem>> {
         let loading = document.loading(mechanism).map_err(Problem::all)?;
         let motor = document.motor(mechanism);
         motor.map_err(|problem| vec![problem.into()])?;
-        Ok(Self {
+        Ok(Self::under(loading, document, mechanism, rates))
+    }
+
+    /// Masses of a document without gravity and loads, with the rates of its input.
+    pub(crate) fn of_masses(
+        document: &LinkageDocument,
+        mechanism: &Mechanism,
+        rates: [f64; 2],
+    ) -> Self {
+        Self::under(Loading::of_masses(mechanism), document, mechanism, rates)
+    }
+
+    fn under(
+        loading: Loading,
+        document: &LinkageDocument,
+        mechanism: &Mechanism,
+        rates: [f64; 2],
+    ) -> Self {
+        Self {
             loading,
             statics: Kinetostatics::new(mechanism),
             mechanism: mechanism.clone(),
             units: document.force_units(),
-            rates: [view.omega, view.epsilon],
+            rates,
             greatest: OnceCell::new(),
             scale: OnceCell::new(),
-        })
+        }
     }
 
     /// Writes the reactions in a pose at an input into `found`.

@@ -66,7 +66,10 @@ pub(crate) struct Moving {
     against: OnceCell<Against>,
     /// Sheets of the velocity and acceleration polygons, computed when first drawn.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
-    forces: Forces,
+    /// The linkage under load, made when forces are first asked for if nothing acts on it.
+    forces: OnceCell<Forces>,
+    /// Speed and acceleration of the input for forces: ω₁ and ε₁ of the view, whatever the axes.
+    rates: [f64; 2],
     explain: Explain,
 }
 
@@ -95,11 +98,18 @@ impl Moving {
                 return Err(vec![Problem::UnknownChoice { field }]);
             }
         }
-        let forces = Forces::new(&document, mechanism, view)?;
-        let pair = Pair::of(view, |name| Column::named(mechanism, &forces, name))?;
+        let rates = [view.omega, view.epsilon];
+        let forces = OnceCell::new();
+        if document.is_loaded() {
+            let loaded = Forces::new(&document, mechanism, rates)?;
+            forces.get_or_init(|| loaded);
+        }
+        let of_masses = || Forces::of_masses(&document, mechanism, rates);
+        let made = || forces.get_or_init(of_masses);
+        let pair = Pair::of(view, |name| Column::named(mechanism, made, name))?;
         let plotted_forces = if plotted.is_empty() && is_of_forces(&view.plot) {
             let field = "plot".into();
-            ForceQuantity::plotted(&forces, &view.plot)
+            ForceQuantity::plotted(made(), &view.plot)
                 .ok_or_else(|| vec![Problem::UnknownChoice { field }])?
         } else {
             Vec::new()
@@ -148,6 +158,7 @@ impl Moving {
             against: OnceCell::new(),
             polygon_sheets: OnceCell::new(),
             forces,
+            rates,
             plotted_roles: figure.plotted_roles(&plotted),
             pair,
             plotted,
@@ -205,7 +216,8 @@ impl Moving {
 
     /// Loading and order of equilibrium.
     pub(crate) fn forces(&self) -> &Forces {
-        &self.forces
+        let of_masses = || Forces::of_masses(&self.document, self.mechanism(), self.rates);
+        self.forces.get_or_init(of_masses)
     }
 
     /// Speed and acceleration of the input for plots, polygons and read-outs: those of the view if its axes are

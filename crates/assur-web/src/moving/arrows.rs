@@ -21,8 +21,8 @@ impl Moving {
     /// Adds the arrows of all forces in a pose to a frame; none if reactions are unbounded.
     pub(super) fn add_arrows(&self, frame: &mut Vec<f32>, input: f64, pose: &Pose<3>) {
         let mut found = Reactions::default();
-        if self.forces.balance(pose, input, &mut found).is_ok() {
-            let scale = self.forces.scale.get_or_init(|| self.scale_of_forces());
+        if self.forces().balance(pose, input, &mut found).is_ok() {
+            let scale = self.forces().scale.get_or_init(|| self.scale_of_forces());
             let arrows = self.arrows(pose, &found);
             self.figure.add_forces(frame, &arrows, *scale);
         }
@@ -34,7 +34,7 @@ impl Moving {
         let mut poses = Vec::new();
         for at in self.motion.samples(SAMPLING).into_iter().flatten() {
             let placed = self.motion.place(at, &mut pose).is_ok();
-            if placed && self.forces.balance(&pose, at, &mut found).is_ok() {
+            if placed && self.forces().balance(&pose, at, &mut found).is_ok() {
                 poses.push(self.arrows(&pose, &found));
             }
         }
@@ -46,7 +46,7 @@ impl Moving {
     fn arrows(&self, pose: &Pose<3>, found: &Reactions) -> Vec<ForceArrow> {
         let mechanism = self.mechanism();
         let mut arrows = Vec::new();
-        for (id, _) in self.forces.statics.pairs() {
+        for (id, _) in self.forces().statics.pairs() {
             let reaction = found.of(id);
             let (at, role) = (reaction.place(mechanism), Role::Reaction);
             let force = reaction.vector().map(Acting::Force);
@@ -65,7 +65,7 @@ impl Moving {
             arrows.extend(parts.map(|acting| ForceArrow { role, at, acting }));
         }
         let drivers = mechanism.spec().drivers.iter();
-        for (driver, spec) in self.forces.statics.drivers().zip(drivers) {
+        for (driver, spec) in self.forces().statics.drivers().zip(drivers) {
             let value = found.drive(driver);
             arrows.extend(value.and_then(|value| drive(mechanism, pose, spec, value)));
         }

@@ -43,8 +43,8 @@ impl Moving {
         found: &mut Reactions,
         forces: &[ForceQuantity],
     ) -> Option<Vec<f64>> {
-        self.forces.balance(pose, input, found).ok()?;
-        let values = forces.iter().map(|force| force.value(&self.forces, found));
+        self.forces().balance(pose, input, found).ok()?;
+        let values = forces.iter().map(|force| force.value(self.forces(), found));
         values.collect()
     }
 
@@ -59,8 +59,10 @@ impl Moving {
     ) -> Result<Vec<Option<f64>>, Problem> {
         let pose = self.motion.pose(input).map_err(|why| self.problem(&why))?;
         let mut found = Reactions::default();
-        self.forces.balance(&pose, input, &mut found)?;
-        let values = forces.iter().map(|force| force.value(&self.forces, &found));
+        self.forces().balance(&pose, input, &mut found)?;
+        let values = forces
+            .iter()
+            .map(|force| force.value(self.forces(), &found));
         Ok(values.collect())
     }
 
@@ -71,7 +73,7 @@ impl Moving {
 
     /// The chart of forces of one kind over the motion.
     pub(super) fn chart_of_forces(&self, forces: &[ForceQuantity]) -> Chart {
-        let forces_of = &self.forces;
+        let forces_of = self.forces();
         let series = forces.iter().map(|force| Series {
             name: force.name(forces_of),
             role: force.role(forces_of),
@@ -90,7 +92,7 @@ impl Moving {
 
     /// The plot of two columns against each other, of which one is a force at least.
     pub(super) fn against_with_forces(&self, pair: Pair<Column>) -> Against {
-        let forces_of = &self.forces;
+        let forces_of = self.forces();
         let axis = |column: Option<Column>| -> Axis {
             match column {
                 Some(Column::Force(force)) => force.axis(forces_of),

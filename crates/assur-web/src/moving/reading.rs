@@ -38,13 +38,14 @@ impl Moving {
             return self.rates(&self.plotted, pose).chain(forces).collect();
         };
         let mut found = Reactions::default();
-        let balanced = self.plots_forces() && self.forces.balance(pose, input, &mut found).is_ok();
+        let balanced =
+            self.plots_forces() && self.forces().balance(pose, input, &mut found).is_ok();
         pair.values(input, |column| match column {
             Column::Kinematic(column) => {
                 let jet = column.quantity.of(self.mechanism(), pose);
                 self.input().rate(&jet, column.order)
             }
-            Column::Force(force) if balanced => force.value(&self.forces, &found).unwrap_or(0.0),
+            Column::Force(force) if balanced => force.value(self.forces(), &found).unwrap_or(0.0),
             Column::Force(_) => 0.0,
         })
     }

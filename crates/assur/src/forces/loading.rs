@@ -113,25 +113,18 @@ impl Loading {
         names
             .about(Part::Flywheel, 0)
             .not_negative(&[spec.flywheel]);
-        let masses: List<BodyId, BodyMass> = mechanism
-            .bodies()
-            .map(|body| mass(mechanism, body))
-            .collect();
-        let crank = crank(mechanism).map(|body| (body, masses[body].inertia));
-        if spec.flywheel > 0.0 && crank.is_none() {
+        let own = Self::of_masses(mechanism);
+        if spec.flywheel > 0.0 && own.crank.is_none() {
             names.defects.push(Defect::NoCrank);
         }
         match (loads, springs, dampers) {
             (Some(loads), Some(springs), Some(dampers)) if names.defects.is_empty() => {
                 let loading = Self {
-                    masses,
                     gravity: spec.gravity,
                     loads,
                     springs,
                     dampers,
-                    turns: mechanism.turns(),
-                    crank,
-                    flywheel: 0.0,
+                    ..own
                 };
                 Ok(loading.with_flywheel(spec.flywheel))
             }
@@ -171,6 +164,22 @@ impl Loading {
     /// True if the first driver is a crank, which can bear a flywheel.
     pub fn bears_flywheel(&self) -> bool {
         self.crank.is_some()
+    }
+
+    /// The masses of a mechanism alone, without gravity, loads and flywheel.
+    pub fn of_masses(mechanism: &Mechanism) -> Self {
+        let masses = mechanism.bodies().map(|body| mass(mechanism, body));
+        let masses: List<BodyId, BodyMass> = masses.collect();
+        Self {
+            crank: crank(mechanism).map(|body| (body, masses[body].inertia)),
+            flywheel: 0.0,
+            masses,
+            gravity: Vector::zeros(),
+            loads: Vec::new(),
+            springs: Vec::new(),
+            dampers: Vec::new(),
+            turns: mechanism.turns(),
+        }
     }
 }
 

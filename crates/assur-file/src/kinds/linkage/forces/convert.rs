@@ -55,6 +55,14 @@ impl LinkageDocument {
         ForceUnits::of(self.unit.unwrap_or(LengthUnit::None))
     }
 
+    /// Whether anything acts on the linkage besides the inertia of its links: gravity, loads, springs, dampers, a
+    /// motor or a flywheel.
+    pub fn is_loaded(&self) -> bool {
+        let is_free = self.loads.is_empty() && self.springs.is_empty() && self.dampers.is_empty();
+        let is_given = self.gravity.is_some() || self.motor.is_some() || self.flywheel.is_some();
+        is_given || !is_free
+    }
+
     /// The loading of the document's mechanism.
     ///
     /// # Errors
