@@ -56,7 +56,7 @@ export class Springs {
     const fields = new Fields(this.#page, words);
     this.#fields = fields;
     const cards = this.#list(document).map((part, i) => this.#card(document, part, i, fields, words));
-    replaced(this.element, [...cards, fields.button(`${this.name}-add`, `forces.${this.name}.add`, () => this.#add())]);
+    replaced(this.element, [...cards, fields.button(`${this.name}-add`, this.name === "springs" ? "forces.springs.add" : "forces.dampers.add", () => this.#add())]);
   }
 
   /**
