@@ -381,3 +381,7 @@ export type WeightedSummary = {
 export type Wishes = { 
 /** Minimum arc of the crank over which the output dwells, radians. */ arc: number, 
 /** Stroke of the output, from minimum to maximum: radians, or in the unit of the lengths. */ stroke: number, movable: Array<Movement>, };
+export type RunHere = { readings: Array<number>, rests: boolean, ends: boolean, at: DeadPointSummary | null, };
+export type CycleSummaryHere = { delta: number, mean: number, extremes: [number, number], time: number, points: Array<[number, number, number, number, number]>, };
+export type WheelHere = { flywheel: number, cycle: CycleSummaryHere | null, problems: Array<Problem>, };
+export type CycleHere = { rate: number, torque: number, diagram: Array<[number, number, number]>, given: WheelHere, wittenbauer: WheelHere, slopes: [number, number], intercepts: [number, number], touches: [[number, number, number], [number, number, number]], mertsalov: WheelHere, difference: number, constant: number, };

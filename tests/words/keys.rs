@@ -2,7 +2,8 @@
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-pub(super) const BUILT: [(&str, &[&str]); 85] = [
+pub(super) const BUILT: [(&str, &[&str]); 86] = [
+    ("under_load.motor.", &["www/under-load/fields.js"]),
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
     ("become.", &["crates/assur-file/src/kinds/mod.rs"]),

@@ -247,6 +247,11 @@ export class Page {
     return loaded;
   }
 
+  /** @param {import("assur/state/player.js").Course | null} course that the motion follows instead of its pace; null ends it */
+  follow(course) {
+    this.#player.course = course;
+  }
+
   /** @param {Words} words words of the page; their unit of length is replaced by the document's */
   #applyWords(words) {
     const measured = words.measured(this.engine.lengths);

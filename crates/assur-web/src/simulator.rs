@@ -2,8 +2,9 @@
 
 mod forces;
 mod refusal;
+mod under_load;
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use assur::Point;
 use assur::motion::Motion;
@@ -22,6 +23,7 @@ use crate::moving::Moving;
 use crate::profile::ProfileSummary;
 use crate::summary::{OutputSummary, TransmissionSummary};
 use crate::table::SweepTable;
+use crate::under_load::UnderLoad;
 use refusal::place;
 pub(crate) use refusal::{bad, one};
 
@@ -38,6 +40,8 @@ pub struct Simulator {
     made: Cell<Option<Motion>>,
     /// Symbol unit of linkages, in the unit of lengths; none for a hundredth of the drawing's size.
     symbol: Option<f64>,
+    /// The motion under load that the page plays.
+    run: RefCell<Option<UnderLoad>>,
 }
 
 #[wasm_bindgen]

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use assur::mechanism::{
     Counts, FRAME, LinkOrFrame, Mechanism, PointId, Quantity, RrpDyad, RrrDyad,
 };
-use assur::motion::{OutputProfile, TooManyTurns};
+use assur::motion::{DeadPoint, Motion, OutputProfile, TooManyTurns};
 use assur::structure::roman;
 use assur::{Cycle, Swing};
 use assur_draw::Figure;
@@ -137,6 +137,16 @@ pub(crate) struct DeadPointSummary<'a> {
     links: Vec<&'a str>,
 }
 
+impl<'a> DeadPointSummary<'a> {
+    pub(crate) fn new(motion: &'a Motion, end: &DeadPoint) -> Self {
+        Self {
+            input: end.input,
+            kind: end.kind.code(),
+            links: motion.links_at(end).collect(),
+        }
+    }
+}
+
 /// A four-bar in the linkage: its crank, coupler, rocker and base, and its Grashof type.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
@@ -258,11 +268,8 @@ impl<'a> StructureSummary<'a> {
 impl<'a> MotionSummary<'a> {
     pub(crate) fn new(moving: &'a Moving) -> Self {
         let (motion, mechanism, figure) = (moving.motion(), moving.mechanism(), moving.figure());
-        let dead_points = motion.dead_points().iter().map(|end| DeadPointSummary {
-            input: end.input,
-            kind: end.kind.code(),
-            links: motion.links_at(end).collect(),
-        });
+        let dead_points = motion.dead_points().iter();
+        let dead_points = dead_points.map(|end| DeadPointSummary::new(motion, end));
         let link = |link: LinkOrFrame| link.map_or(FRAME, |link| mechanism.link_name(link));
         let four_bars = mechanism.four_bars().into_iter();
         let four_bars = four_bars.map(|one| FourBarSummary {

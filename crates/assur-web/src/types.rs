@@ -26,6 +26,7 @@ use crate::summary::{
     CourseSummary, MotionSummary, OutputSummary, StructureSummary, TransmissionSummary,
 };
 use crate::table::SweepTable;
+use crate::under_load::{CycleHere, RunHere};
 
 const HEAD: &str = "\
 import { Mend } from \"assur/types/edit.js\";
@@ -81,7 +82,13 @@ fn the_scripts_know_what_crosses_the_border() {
         crate::here::Here,
         crate::here::ReadoutId,
     );
-    type Forces = (ForcesHere, GreatestHere, MassHere);
+    type Forces = (
+        ForcesHere,
+        GreatestHere,
+        MassHere,
+        RunHere<'static>,
+        CycleHere,
+    );
     type Shown = (
         ChartRequest,
         ChartLayout<'static>,
