@@ -83,7 +83,20 @@ export type CourseSummary = {
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
 export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
+export type CycleHere = { 
+/** Mean rate of the methods. */ rate: number, 
+/** Torque of the drive at this rate, N·m. */ torque: number, 
+/** Points of Wittenbauer's diagram: input, reduced moment of inertia without flywheel (kg·m²), energy (J). */ diagram: Array<[number, number, number]>, given: WheelHere, wittenbauer: WheelHere, 
+/** Slopes of the two tangents, 1/s². */ slopes: [number, number], 
+/** Their intercepts on the axis of energies, J. */ intercepts: [number, number], 
+/** Their points on the diagram, like its points. */ touches: [[number, number, number], [number, number, number]], mertsalov: WheelHere, 
+/** Greatest difference of the energy of the links with a constant reduced inertia, J, and this inertia, kg·m². */ difference: number, constant: number, };
 export type CycleSummary = { start: number, end: number, full: boolean, arcs: Array<[number, number]>, };
+export type CycleSummaryHere = { 
+/** Coefficient of non-uniformity. */ delta: number, mean: number, 
+/** Rates of least and of greatest magnitude. */ extremes: [number, number], 
+/** Duration, s. */ time: number, 
+/** Points of the cycle, each with time, input, rate, acceleration and kinetic energy, J. */ points: Array<[number, number, number, number, number]>, };
 export type DeadPointSummary = { input: number, kind: string, links: Array<string>, };
 export type DimensionSummary = { field: string, kind: "length" | "side" | "corner" | "offset" | "x" | "y", index: number, name: string, points: Array<string>, role: string, value: number, min: number, max: number, step: number, };
 export type DraftSummary = { 
@@ -291,6 +304,15 @@ export type RelationHere = { item: string, name: string,
 /** Whether the value is an angle of rotation, in which whole turns count. */ turned: boolean, 
 /** Whether the value is a count, which is a whole number. */ count: boolean, value: number, 
 /** The value given by the relation as printed; none if this relation divides by zero. */ printed: number | null, };
+export type RunHere = { 
+/**
+ * Readings, each of eight numbers: time, input, rate, acceleration; in joules the kinetic and potential energy, the
+ * work of the motor and of the given forces, and the energy lost.
+ */
+readings: Array<number>, 
+/** Whether nothing moves any more. */ rests: boolean, 
+/** Whether the motion ends at the last reading. */ ends: boolean, 
+/** The end, if it is one of the motion of the linkage. */ at: DeadPointSummary | null, };
 export type SchemeSummary = { 
 /** Always null: a scheme has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /** Names of the links, the ground first. */ links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 
@@ -378,10 +400,10 @@ export type WeightedSummary = {
 /** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
 /** ΣJ of these lengths with the best coupler angles; dimensionless. */ sum: number, 
 /** ΣJ of the drawn linkage. */ drawn: number, };
+export type WheelHere = { 
+/** Moment of inertia, kg·m². */ flywheel: number, 
+/** None if there is no cycle. */ cycle: CycleSummaryHere | null, 
+/** The reason why there is no cycle. */ problems: readonly Problem[], };
 export type Wishes = { 
 /** Minimum arc of the crank over which the output dwells, radians. */ arc: number, 
 /** Stroke of the output, from minimum to maximum: radians, or in the unit of the lengths. */ stroke: number, movable: Array<Movement>, };
-export type RunHere = { readings: Array<number>, rests: boolean, ends: boolean, at: DeadPointSummary | null, };
-export type CycleSummaryHere = { delta: number, mean: number, extremes: [number, number], time: number, points: Array<[number, number, number, number, number]>, };
-export type WheelHere = { flywheel: number, cycle: CycleSummaryHere | null, problems: Array<Problem>, };
-export type CycleHere = { rate: number, torque: number, diagram: Array<[number, number, number]>, given: WheelHere, wittenbauer: WheelHere, slopes: [number, number], intercepts: [number, number], touches: [[number, number, number], [number, number, number]], mertsalov: WheelHere, difference: number, constant: number, };

@@ -66,6 +66,7 @@ pub(crate) struct WheelHere {
     /// None if there is no cycle.
     cycle: Option<CycleSummaryHere>,
     /// The reason why there is no cycle.
+    #[cfg_attr(test, ts(type = "readonly Problem[]"))]
     problems: Vec<Problem>,
 }
 
