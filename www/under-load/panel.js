@@ -23,6 +23,8 @@ import { LoadRun, READING } from "assur/under-load/run.js";
 const PACES = Object.freeze([1, 0.3, 0.1, 0.03, 0.01]);
 /** Most points of a curve. */
 const POINTS = 400;
+/** Part of the greatest energy that may be rounding. */
+const ROUNDING = 1e-9;
 /** Names of the columns of a reading in a table. */
 const COLUMNS = Object.freeze(["t", "input", "rate", "acceleration", "kinetic", "potential", "work", "lost"]);
 /** Energies in a reading: place, key of the name, colour. */
@@ -193,8 +195,9 @@ export class UnderLoad {
     const [kinetic, potential, work, lost] = [4, 5, 6, 7].map((place) => readings[last + place]);
     const gained = kinetic + potential - readings[4] - readings[5];
     const size = Math.max(Math.abs(gained), Math.abs(work), Math.abs(lost), Math.abs(kinetic));
+    const amount = (/** @type {number} */ value) => numbers.short(Math.abs(value) <= ROUNDING * size ? 0 : value);
     write(this.#account, words.text("under_load.account", {
-      gained: numbers.short(gained), work: numbers.short(work), lost: numbers.short(lost), unit: energy.replace(", ", ""),
+      gained: amount(gained), work: amount(work), lost: amount(lost), unit: energy.replace(", ", ""),
       rest: numbers.short(size > 0 ? (gained - work + lost) / size : 0),
     }));
   }
