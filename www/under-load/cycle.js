@@ -129,11 +129,10 @@ export class Cycle {
     const shown = WHEELS.filter(([name]) => name === "given" || found[name].flywheel > 0);
     const row = (/** @type {typeof WHEELS[number]} */ [name, key]) => {
       const { flywheel, cycle, problems } = found[name];
-      const put = name === "given" ? nothing : html`<button type="button" class="control" id="put-${name}" @click=${() => this.#put(flywheel)}>${words.text("under_load.put")}</button>`;
       const cells = cycle
         ? [cycle.delta, cycle.mean, cycle.extremes[0], cycle.extremes[1]].map((value) => html`<td data-value=${value}>${numbers.short(value)}</td>`)
         : html`<td colspan="4">${problems.map((problem) => sentence(problem, words)).join(" ")}</td>`;
-      return html`<tr id="cycle-${name}"><td>${words.text(key)}</td><td data-value=${flywheel}>${numbers.short(flywheel)}</td>${cells}<td>${put}</td></tr>`;
+      return html`<tr id="cycle-${name}"><td>${words.text(key)}</td><td data-value=${flywheel}>${numbers.short(flywheel)}</td>${cells}</tr>`;
     };
     const lines = shown.flatMap(([name, key, role]) => {
       const points = found[name].cycle?.points.map(([, input, value]) => /** @type {const} */ ([degrees(input), value])) ?? [];
@@ -145,8 +144,9 @@ export class Cycle {
     });
     return html`
       <p id="cycle-drive">${drive}</p>
-      <div class="load-wide"><table id="cycle-wheels"><thead><tr>${["", `J${inertia}`, "δ", `ω_m${rate}`, `ω_min${rate}`, `ω_max${rate}`, ""].map((name) => html`<th>${name.replace("ω_m,", "ωₘ,").replace("ω_min", "ωₘᵢₙ").replace("ω_max", "ωₘₐₓ")}</th>`)}</tr></thead>
+      <div class="load-wide"><table id="cycle-wheels"><thead><tr>${["", `J${inertia}`, "δ", `ω_m${rate}`, `ω_min${rate}`, `ω_max${rate}`].map((name) => html`<th>${name.replace("ω_m,", "ωₘ,").replace("ω_min", "ωₘᵢₙ").replace("ω_max", "ωₘₐₓ")}</th>`)}</tr></thead>
       <tbody>${shown.map(row)}</tbody></table></div>
+      <div class="load-buttons">${shown.filter(([name]) => name !== "given").map(([name, key]) => html`<button type="button" class="control" id="put-${name}" @click=${() => this.#put(found[name].flywheel)}>${words.text(key)}: ${words.text("under_load.put")}</button>`)}</div>
       ${found.wittenbauer.flywheel > 0 ? nothing : html`<p>${words.text("under_load.even")}</p>`}
       <p>${words.text("under_load.methods", { difference: numbers.short(found.difference) + energy.replace(",", ""), constant: numbers.short(found.constant) + inertia.replace(",", "") })}</p>
       <div class="load-plots">
