@@ -9,6 +9,15 @@ export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
 export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type ActingHere = { symbol: string, couple: boolean, 
+/** Components of the force; null if indeterminate, and for a couple. */ x: number | null, y: number | null, 
+/** Magnitude of the force, or the couple; null if indeterminate. */ size: number | null, 
+/** Direction of the force from the x-axis, radians. */ direction: number | null, 
+/**
+ * Signs −1, 0 or 1 in the equations of equilibrium: of the components x and y, then of the moments about each of the
+ * points; null if indeterminate.
+ */
+signs: Array<number> | null, };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
 export type AppliedHere = { kind: "weight" | "inertia" | "load" | "spring" | "damper", 
@@ -117,6 +126,25 @@ export type FamilySummary = {
 /** Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); a null maximum means no limit. */ lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
 /** Range of the coupler's angle in each position, radians. */ couplers: [[number, number], [number, number]], curve: FamilyCurve, 
 /** l₁, l₂, l₃ at each change of the Grashof type. */ changes: Array<[number, number, number]>, };
+export type ForcePictureHere = { 
+/** Display list. */ list: Array<number>, 
+/** Names to which the labels of the list refer. */ names: Array<string>, 
+/** Rectangle of the picture in the coordinates of `list`: left, bottom, right, top. */ bounds: [number, number, number, number], 
+/** Force that a unit of these coordinates stands for in a plan to scale; null for a drawing of links. */ scale: number | null, };
+export type ForcePlanHere = { 
+/** False if nothing acts on the links, so that there is nothing to draw. */ loaded: boolean, steps: Array<ForceStepHere>, 
+/** Picture of the last of the requested steps: its plan with the steps before it or, for a sum of moments, its links. */ picture: ForcePictureHere, };
+export type ForceStepHere = { kind: "moments" | "along" | "polygon" | "group" | "indeterminate", 
+/** Number of the plan in which the step is drawn. */ plan: number, 
+/** Numbers of the links in equilibrium. */ links: Array<string>, 
+/** Name of the pair about which moments are taken, or of the slide along whose line components are taken. */ about: string | null, terms: Array<ForceTermHere>, 
+/** Symbols of what is statically indeterminate. */ open: Array<string>, };
+export type ForceTermHere = { symbol: string, couple: boolean, 
+/** False if this step finds it. */ known: boolean, 
+/** Magnitude of the force, or the couple. */ size: number, 
+/** Direction of the force from the x-axis, radians. */ direction: number, 
+/** Moment, or component along the line. */ value: number, 
+/** Arm of the force, in the unit of lengths; null if there is none. */ arm: number | null, };
 export type ForcesHere = { reactions: Array<ReactionHere>, drives: Array<DriveHere>, applied: Array<AppliedHere>, };
 export type FoundHere = { name: string, rates: [number, number], };
 export type FoundSummary = { 
@@ -125,6 +153,9 @@ export type FoundSummary = {
 /** l₂ and l₃ along the path from each start. */ paths: Array<Array<[number, number]>>, 
 /** Decimal logarithm of ΣJ as a function of l₂ and l₃. */ sum: PlaneSummary, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
+export type FreeBodyHere = { 
+/** Numbers and names of the links that can be chosen. */ links: Array<[string, string]>, 
+/** Points of the link about which moments can be taken. */ points: Array<string>, acting: Array<ActingHere>, picture: ForcePictureHere, };
 export type FunctionSummary = { 
 /** Values of x at equal steps, each with the error of y; null if the linkage does not reach x. */ curve: Array<[number, number | null]>, 
 /** Value of x with the greatest error, and this error; none if the linkage reaches no part of the interval. */ greatest: [number, number] | null, 
@@ -188,6 +219,12 @@ export type JudgedSummary = { mobility: number, rank: number, redundant: number,
 export type LeftOutSummary = { values: [number, number], holds: boolean, };
 export type LegHere = { kind: "turning" | "normal" | "tangential" | "sliding" | "coriolis" | "relative", length: number, 
 /** Whether the length of the vector is known before the point is found. */ known: boolean, };
+export type LeverHere = { terms: Array<ForceTermHere>, 
+/** Sum of the moments about the pole. */ sum: number, 
+/** Symbol of the balancing torque or force. */ symbol: string, 
+/** Whether a torque balances the lever, not a force. */ turns: boolean, 
+/** Balancing torque or force by the lever; null if there are several drivers. */ by_lever: number | null, 
+/** The same by the reactions; null if it is indeterminate. */ by_reactions: number | null, picture: ForcePictureHere, };
 export type LimitSummary = { input: number, value: number, };
 export type LinkHere = { link: string, 
 /** Distance of the link from the place, in the unit of the lengths. */ off: number, 

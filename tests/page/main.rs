@@ -26,6 +26,7 @@ mod drivers;
 mod embedding;
 mod equations;
 mod export;
+mod force_plan;
 mod forces;
 mod front;
 mod gallery;

@@ -2,6 +2,7 @@
 //! at once; their power is zero; Zhukovsky's lever is in equilibrium.
 
 mod newton_euler;
+mod plans;
 
 use assur::forces::{
     AnchorSpec, Applied, Kinetostatics, Law, LoadSpec, Loading, LoadingSpec, Reactions,
@@ -143,6 +144,8 @@ fn powers(mechanism: &Mechanism, pose: &Pose<3>, applied: &[Applied], rate: f64)
 fn forces_group_by_group_are_those_of_all_equations_at_once() {
     let (mut compared, mut ill, mut blocks) = (0, 0, std::collections::BTreeMap::new());
     let (mut worst, mut worst_power) = (0.0_f64, 0.0_f64);
+    let (mut worst_plan, mut worst_lever) = (0.0_f64, 0.0_f64);
+    let mut steps = std::collections::BTreeMap::new();
     let mut seed = 0;
     while compared < scaled(LINKAGES as u16) as usize {
         seed += 1;
@@ -231,6 +234,28 @@ fn forces_group_by_group_are_those_of_all_equations_at_once() {
             assert!(off.abs() <= bound * unit, "seed {seed}, {spec:?}: {off:e}");
             driven += own * spec.rate() * rates[0];
         }
+        let plan = forces.plan(&found);
+        let plan = plan.unwrap_or_else(|error| panic!("seed {seed}: {error:?}"));
+        for step in &plan.steps {
+            *steps.entry(format!("{:?}", step.kind)).or_insert(0) += 1;
+        }
+        let off = plans::plan(&forces, &found, &plan);
+        let scale = mechanism.size();
+        worst_plan = worst_plan.max(off.force.max(off.moment / scale) / (greatest * condition));
+        assert!(
+            off.force <= bound && off.moment <= bound * scale,
+            "seed {seed}: plan {:e} {:e} of {greatest:e}, condition {condition:e}",
+            off.force,
+            off.moment
+        );
+        if let Some(off) = plans::lever(mechanism, &pose, &found) {
+            let unit = if mechanism.turns() { scale } else { 1.0 };
+            worst_lever = worst_lever.max(off.abs() / unit / (greatest * condition));
+            assert!(
+                off.abs() <= bound * unit,
+                "seed {seed}: lever {off:e} of {greatest:e}, condition {condition:e}"
+            );
+        }
         let [power, lever, size] = powers(mechanism, &pose, found.applied(), rates[0]);
         let bound = 1e-12 * condition * size.max(greatest * mechanism.size() * rates[0].abs());
         worst_power = worst_power.max((driven + power).abs() / (bound * 1e12));
@@ -249,8 +274,10 @@ fn forces_group_by_group_are_those_of_all_equations_at_once() {
         assert!(off.abs() <= bound, "seed {seed}: reduced {off:e}");
     }
     println!(
-        "{compared} of {seed} seeds, {ill} ill, blocks by bodies {blocks:?}, worst {worst:e}, {worst_power:e}"
+        "{compared} of {seed} seeds, {ill} ill, blocks by bodies {blocks:?}, worst {worst:e}, {worst_power:e}; \
+         plans {steps:?}, worst {worst_plan:e}, lever {worst_lever:e}"
     );
+    assert!(steps.len() == 4, "{steps:?}");
     assert!(
         ill * 100 <= compared,
         "{ill} of {compared} poses are ill-conditioned"

@@ -16,6 +16,7 @@ export class Page {
   words = wordsOf("en");
   shown = new Shown();
   habits = { calm: false, lang: "en" };
+  onPaper = new Map();
 
   /** @param {string} id of the mechanism of the catalogue that is open */
   constructor(id, view = {}) {

@@ -46,6 +46,8 @@ export class Page {
   furtherPlots = () => [];
   /** @type {HTMLElement | null} element printed instead of the worksheet of the shown state */
   sheet = null;
+  /** @type {Map<string, (figure: (picture: import("assur/export/pictures.js").Picture, said: string) => HTMLElement) => readonly HTMLElement[]>} what parts loaded on demand add to the worksheet, by their names */
+  onPaper = new Map();
 
   /**
    * @param {import("assur/engine.js").Engine} engine

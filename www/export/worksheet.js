@@ -43,10 +43,8 @@ function worksheet(page, steps) {
   const theme = paperTheme(engine.roles);
   const title = byId("mechanism-name", HTMLElement);
   const line = (/** @type {string} */ key) => make("span", { class: "blank" }, [words.text(key)]);
-  const figure = (/** @type {import("assur/export/pictures.js").Picture} */ picture, /** @type {string} */ canvas) => {
-    const said = byId(canvas, HTMLCanvasElement).getAttribute("aria-label") ?? "";
-    return make("figure", {}, [toSvgElement(picture, theme, said)]);
-  };
+  const drawn = (/** @type {import("assur/export/pictures.js").Picture} */ picture, /** @type {string} */ said) => make("figure", {}, [toSvgElement(picture, theme, said)]);
+  const figure = (/** @type {import("assur/export/pictures.js").Picture} */ picture, /** @type {string} */ canvas) => drawn(picture, byId(canvas, HTMLCanvasElement).getAttribute("aria-label") ?? "");
   const figures = [figure(mechanism.cropped(), "mechanism")];
   if (model.summary.moves !== null) figures.push(figure(withLegend(chart, theme, words), "charts"));
   const items = steps.map(({ question, ...step }) => {
@@ -61,6 +59,7 @@ function worksheet(page, steps) {
     ]),
     make("div", { class: "figures" }, figures),
     make("div", { class: "tables" }, [dimensions(page), values(page.shown)]),
+    ...[...page.onPaper.values()].flatMap((parts) => parts(drawn)),
     ...(items.length > 0 ? [make("ol", {}, items), ...page.lesson.onPaper(END)] : []),
     foot(address.link(model.lastAccepted), page),
   ]);

@@ -36,9 +36,16 @@ export function closeUp(picture, whole, { width, height }, margin) {
   const factor = Math.min(1, (MOST * usual) / close.scale);
   const view = close.scaled(factor, width / 2, (height - STRIP) / 2);
   const most = (BAR * width) / view.scale;
+  return { view, list: picture.list.slice(0, -BAR_NUMBERS), bar: roundBelow(most) };
+}
+
+/**
+ * @param {number} most positive
+ * @returns {number} greatest round number that is not larger
+ */
+export function roundBelow(most) {
   const power = 10 ** Math.floor(Math.log10(most));
-  const bar = (ROUND.find((digit) => digit * power <= most) ?? 1) * power;
-  return { view, list: picture.list.slice(0, -BAR_NUMBERS), bar };
+  return (ROUND.find((digit) => digit * power <= most) ?? 1) * power;
 }
 
 /**

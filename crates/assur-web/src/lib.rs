@@ -7,6 +7,7 @@
 //! | `driven.rs`, `dimensions.rs`, `change.rs`, `handle.rs` | dragging the driver; dimensions; changes made by hand; handles |
 //! | `table.rs`, `chart.rs`, `equations.rs`, `polygons.rs`, `curvature.rs` | tables, plots, constraint equations, polygons, curvature |
 //! | `forces.rs`, `reactions.rs`, `force_quantity.rs`, `masses.rs` | a linkage under load; its reactions; forces that can be plotted; masses |
+//! | `force_plan.rs` | force plans, Zhukovsky's lever, free bodies |
 //! | `design.rs` | the search for a dwell |
 //! | `received.rs`, `offered.rs`, `imported.rs`, `convert.rs`, `canvas.rs` | checked input from outside; starting documents; files of other programs; JavaScript values; a canvas as a backend of plotters |
 
@@ -25,6 +26,7 @@ mod design;
 mod dimensions;
 mod driven;
 mod equations;
+mod force_plan;
 mod force_quantity;
 mod forces;
 mod handle;
@@ -57,7 +59,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const TYPES: &str = r#"
 import type { Edit } from "assur/types/edit.js";
 import type { DocumentOf, LengthUnit, LessonDocument, LinkageDocument, NumberField, PositionDocument, Preset, Problem, Shelf, View } from "assur/types/file.js";
-import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, CycleHere, Drawn, EquationSummary, ForcesHere, GreatestHere, Here, Imported, Kind, LinkHere, MassHere, MotionsMap, OutputSummary, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, RunHere, State, StepSummary, Summaries, SweepTable, Traced, TransmissionSummary, Wishes } from "assur/types/web.js";
+import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, CycleHere, Drawn, EquationSummary, ForcePlanHere, ForcesHere, FreeBodyHere, GreatestHere, Here, Imported, Kind, LeverHere, LinkHere, MassHere, MotionsMap, OutputSummary, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, RunHere, State, StepSummary, Summaries, SweepTable, Traced, TransmissionSummary, Wishes } from "assur/types/web.js";
 export interface Simulator {
     set<K extends Kind>(state: State<K>): Summaries[K];
     asKind<K extends Kind>(kind: K, input: number): DocumentOf<K>;

@@ -156,7 +156,7 @@ impl Moving {
     }
 
     /// The number of a link in the drawing; the frame is 0.
-    fn body_number(&self, body: BodyId) -> String {
+    pub(crate) fn body_number(&self, body: BodyId) -> String {
         let name = self.mechanism().body_name(body);
         if name == FRAME {
             return "0".to_owned();

@@ -1,5 +1,6 @@
 //! The interface of the page to the engine.
 
+mod force_plan;
 mod forces;
 mod refusal;
 mod under_load;

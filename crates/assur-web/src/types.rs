@@ -9,6 +9,7 @@ use crate::chart::{ChartLayout, ChartRequest};
 use crate::curvature::CurvatureHere;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::equations::EquationSummary;
+use crate::force_plan::{ForcePlanHere, FreeBodyHere, LeverHere};
 use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
@@ -88,6 +89,9 @@ fn the_scripts_know_what_crosses_the_border() {
         MassHere,
         RunHere<'static>,
         CycleHere,
+        ForcePlanHere,
+        LeverHere,
+        FreeBodyHere,
     );
     type Shown = (
         ChartRequest,

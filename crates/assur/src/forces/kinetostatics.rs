@@ -13,16 +13,16 @@ use crate::mechanism::{Mechanism, Pose};
 /// known forces alone; its reactions load the bodies on which it hangs.
 #[derive(Clone, Debug)]
 pub struct Kinetostatics {
-    pairs: Vec<Pair>,
+    pub(super) pairs: Vec<Pair>,
     /// Index of the first component of each pair.
-    starts: Vec<usize>,
+    pub(super) starts: Vec<usize>,
     /// Components of the pairs, then the drives.
-    components: Vec<Component>,
+    pub(super) components: Vec<Component>,
     /// Number of components of pairs.
-    held: usize,
-    blocks: Vec<Block>,
+    pub(super) held: usize,
+    pub(super) blocks: Vec<Block>,
     bodies: usize,
-    size: f64,
+    pub(super) size: f64,
 }
 
 /// The bodies placed by a step cannot be balanced: the pose is singular, and reactions are unbounded.

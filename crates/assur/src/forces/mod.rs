@@ -14,6 +14,9 @@
 //! | `pair` | the wrenches that a pair can transmit |
 //! | `block` | equilibrium of a driver, a dyad or any group, solved for the components of its pairs |
 //! | `kinetostatics`, `reactions` | reactions of all pairs and balancing torques of all drivers in a pose |
+//! | `free_body` | all forces and couples on a body |
+//! | `plan` | force plans, group by group, as constructed by hand |
+//! | `lever` | Zhukovsky's lever: the turned plan of velocities with the forces on it |
 //! | `reduced` | moment of inertia and torque reduced to the input; energies |
 //! | `motor` | the torque of a motor by its speed |
 //! | `system`, `run` | the linkage as a system of one freedom; motion of the input in time |
@@ -31,12 +34,15 @@ mod cycle;
 mod defect;
 mod diagram;
 mod flywheel;
+mod free_body;
 mod kinetostatics;
 mod law;
+mod lever;
 mod loading;
 mod masses;
 mod motor;
 mod pair;
+mod plan;
 mod reactions;
 mod reduced;
 mod run;
@@ -48,12 +54,15 @@ pub use cycle::{CyclePoint, NoCycle, SteadyCycle};
 pub use defect::{Defect, Part};
 pub use diagram::{Diagram, DiagramPoint};
 pub use flywheel::{MAX_NON_UNIFORMITY, Mertsalov, Wittenbauer};
+pub use free_body::{Acting, Cause};
 pub use kinetostatics::{Kinetostatics, Unbalanced};
 pub use law::{Harmonic, Law};
+pub use lever::{Lever, LeverTerm};
 pub use loading::Loading;
 pub use masses::LinkMass;
 pub use motor::Motor;
 pub use pair::{DriverId, Pair, PairId};
+pub use plan::{Component, ForceName, ForcePlan, PlanStep, StepKind, Term};
 pub use reactions::{Reaction, Reactions};
 pub use reduced::Reduced;
 pub use run::{Halt, NoRun, Reading, Run};
