@@ -5,7 +5,7 @@ import { make, write } from "assur/core/dom.js";
 /** @typedef {import("assur/types/web.js").FreeBodyHere} FreeBody */
 
 /** What can be chosen for a sign, with its value; the first is no answer. */
-const CHOICES = Object.freeze({ "": null, "+": 1, "−": -1, "0": 0 });
+const CHOICES = Object.freeze(/** @type {Map<string, number | null>} */ (new Map([["", null], ["+", 1], ["−", -1], ["0", 0]])));
 /** Equations, as they are written. The moments of the third are about the chosen point. */
 const SUMS = Object.freeze(["ΣX", "ΣY", "ΣM"]);
 
@@ -51,7 +51,7 @@ export class Exercise {
     this.#about.replaceChildren(...body.points.map((point) => make("option", {}, [point])));
     this.#fields = body.acting.map(({ symbol, couple, signs }) => SUMS.map((sum, k) => {
       const field = make("select", { class: "control", "aria-label": `${symbol}, ${sum}`, onchange: () => this.#clear() });
-      field.append(...Object.keys(CHOICES).map((choice) => make("option", { value: choice }, [choice])));
+      field.append(...[...CHOICES.keys()].map((choice) => make("option", { value: choice }, [choice])));
       field.disabled = signs === null || (couple && k < 2);
       return field;
     }));
@@ -72,12 +72,12 @@ export class Exercise {
     let [wrong, missing] = [0, 0];
     this.#fields.forEach((fields, row) => fields.forEach((field, k) => {
       const right = this.#body?.acting[row]?.signs?.[k < 2 ? k : 2 + about];
-      const given = CHOICES[/** @type {keyof typeof CHOICES} */ (field.value)];
+      const given = CHOICES.get(field.value) ?? null;
       if (field.disabled || right === undefined) return;
       const isWrong = given !== null && given !== right;
       missing += given === null ? 1 : 0;
       wrong += isWrong ? 1 : 0;
-      if (isWrong) field.ariaInvalid = "true";
+      if (isWrong) field.setAttribute("aria-invalid", "true");
       else field.removeAttribute("aria-invalid");
     }));
     const exact = (/** @type {number} */ count) => words.numbers.exact(count);
