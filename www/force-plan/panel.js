@@ -45,6 +45,7 @@ export class ForcePlan {
   #shownParts;
   /** @type {Plan | null} */
   #here = null;
+  #input = 0;
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -86,6 +87,7 @@ export class ForcePlan {
       return;
     }
     this.#here = value;
+    this.#input = frameInput;
     this.#tabs.forEach((button, k) => {
       button.ariaPressed = String(NAMES[k] === this.#tab);
       this.#folds[NAMES[k]].hidden = NAMES[k] !== this.#tab;
@@ -152,11 +154,35 @@ export class ForcePlan {
     if (this.element.hidden || !this.#here) return [];
     const sheet = this.#sheets[this.#tab];
     const title = sheet.canvas.getAttribute("aria-label") ?? "";
-    const onPaper = (/** @type {Node} */ below) => [make("section", { class: "force-plan" }, [make("h2", {}, [title]), figure(sheet.picture(), title), below])];
+    const pictures = this.#tab === "plan" ? this.#plansOnPaper(figure) : [figure(sheet.picture(), title)];
+    const name = this.#tab === "plan" ? this.#page.words.text(TABS.plan) : title;
+    const onPaper = (/** @type {Node} */ below) => [make("section", { class: "force-plan" }, [make("h2", {}, [name]), ...pictures, below])];
     if (this.#tab === "body" && this.#exercise.open) return onPaper(this.#exercise.onPaper());
     const numbers = { plan: this.#steps, lever: this.#lever, body: this.#acting }[this.#tab];
     const copy = numbers.cloneNode(true);
     if (copy instanceof HTMLElement) copy.removeAttribute("id");
     return onPaper(copy);
   }
+
+  /**
+   * @param {(picture: import("assur/export/pictures.js").Picture, said: string) => HTMLElement} figure
+   * @returns {readonly HTMLElement[]} the polygon of each group, as far as the steps are shown
+   */
+  #plansOnPaper(figure) {
+    const steps = this.#here?.steps.slice(0, this.#shown) ?? [];
+    const last = steps.flatMap(({ kind, plan }, k) => {
+      const later = steps.slice(k + 1).some((step) => step.plan === plan && isPolygon(step.kind));
+      return isPolygon(kind) && !later ? [k + 1] : [];
+    });
+    const { words, engine } = this.#page;
+    return last.map((shown) => {
+      const { picture } = engine.simulator.forcePlan(this.#input, shown);
+      return figure(this.#sheets.plan.picture(picture), titleOf(steps[shown - 1], words));
+    });
+  }
+}
+
+/** @param {import("assur/types/web.js").ForceStepHere["kind"]} kind */
+function isPolygon(kind) {
+  return kind === "polygon" || kind === "group";
 }

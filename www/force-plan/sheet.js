@@ -5,7 +5,9 @@ import { Places } from "assur/canvas/places.js";
 import { Surface } from "assur/canvas/surface.js";
 import { Transform } from "assur/canvas/transform.js";
 import { make, write } from "assur/core/dom.js";
+import { unitsOf } from "assur/force-plan/equations.js";
 import { alongLines, roundBelow } from "assur/polygons/close-up.js";
+import { amount } from "assur/polygons/equations.js";
 
 /**
  * @typedef {import("assur/types/web.js").ForcePictureHere} Here
@@ -19,6 +21,8 @@ const MARGIN = 28;
 const STRIP = 16;
 /** Greatest length of the scale bar, as a share of the width. */
 const BAR = 0.4;
+/** Size of the text beside the scale bar, in pixels. */
+const TEXT = 13;
 /** Size of a picture for print and SVG, in pixels. */
 const PRINTED = Object.freeze({ width: 420, height: 360 });
 /** Pose of the frame, the only body. */
@@ -31,7 +35,6 @@ export class Sheet {
   /** @type {Here | null} */
   #here = null;
   #title = make("span");
-  #bar = make("span", { class: "note" });
   #save;
 
   /**
@@ -42,10 +45,9 @@ export class Sheet {
     this.#page = page;
     this.name = name;
     this.canvas = make("canvas", { id: `${name}-picture`, role: "img" });
-    this.#bar.id = `${name}-scale`;
     this.#surface = new Surface(this.canvas, () => this.#repaint());
     this.#save = make("button", { type: "button", class: "control", id: `${name}-svg`, "data-t": "force_plan.save", onclick: () => this.#download() });
-    this.element = make("figure", { class: "force-figure" }, [this.canvas, make("figcaption", {}, [this.#title, this.#bar, this.#save])]);
+    this.element = make("figure", { class: "force-figure" }, [this.canvas, make("figcaption", {}, [this.#title, this.#save])]);
   }
 
   /**
@@ -59,9 +61,11 @@ export class Sheet {
     this.#repaint();
   }
 
-  /** @returns {import("assur/export/pictures.js").Picture} */
-  picture() {
-    const here = this.#here;
+  /**
+   * @param {Here | null} [here] by default what is shown
+   * @returns {import("assur/export/pictures.js").Picture}
+   */
+  picture(here = this.#here) {
     /** @type {import("assur/export/pictures.js").Picture["paint"]} */
     const paint = (target, theme, newPath) => {
       const { context, ratio } = target;
@@ -77,9 +81,7 @@ export class Sheet {
     const surface = this.#surface;
     if (!this.#here || !surface.begin()) return;
     surface.clear();
-    const bar = this.#paint(this.#here, surface, this.#page.theme, surface, this.#places);
-    const { words } = this.#page;
-    write(this.#bar, bar === null ? "" : `├─┤ ${words.numbers.short(bar)}${this.#page.engine.lengths === "none" ? "" : `\u00a0${words.text("forces.unit.newton")}`}`);
+    this.#paint(this.#here, surface, this.#page.theme, surface, this.#places);
   }
 
   /**
@@ -89,7 +91,6 @@ export class Sheet {
    * @param {{ width: number, height: number }} size
    * @param {Places} places
    * @param {() => Path2D} [newPath]
-   * @returns {number | null} force that the scale bar stands for; null for a drawing of links
    */
   #paint({ list, names, bounds, scale }, target, theme, { width, height }, places, newPath = () => new Path2D()) {
     const painter = new Painter(theme);
@@ -98,11 +99,11 @@ export class Sheet {
     painter.shapes(target, layers, view, POSES);
     places.begin({ width, height: height - STRIP }, labelledPoints(layers, view, POSES), alongLines(layers, view));
     painter.labels(target, layers, view, POSES, (name) => name, places, false);
-    if (scale === null) return null;
+    if (scale === null) return;
     const perPixel = scale / view.scale;
     const bar = roundBelow(BAR * width * perPixel);
-    paintBar(target, theme, bar / perPixel, height);
-    return bar;
+    const { words, engine } = this.#page;
+    paintBar(target, theme, bar / perPixel, height, amount(bar, unitsOf(words, engine.lengths).force, words));
   }
 
   async #download() {
@@ -121,8 +122,9 @@ export class Sheet {
  * @param {Theme} theme
  * @param {number} length in pixels
  * @param {number} height of the picture
+ * @param {string} text what the bar stands for
  */
-function paintBar({ context, ratio }, theme, length, height) {
+function paintBar({ context, ratio }, theme, length, height, text) {
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   const [left, middle] = [10, height - 9];
   context.strokeStyle = theme.colours.ink;
@@ -133,4 +135,9 @@ function paintBar({ context, ratio }, theme, length, height) {
     context.lineTo(left + x1, middle + y1);
   }
   context.stroke();
+  context.font = `${TEXT}px ${theme.font}`;
+  context.textAlign = "left";
+  context.textBaseline = "middle";
+  context.fillStyle = theme.colours.ink;
+  context.fillText(text, left + length + TEXT / 2, middle);
 }
