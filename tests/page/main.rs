@@ -78,6 +78,7 @@ mod textbook;
 mod touch;
 mod tour;
 mod tracers;
+mod under_load;
 mod undo;
 mod units;
 mod wheels;
