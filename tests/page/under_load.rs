@@ -47,7 +47,7 @@ async fn open(document: &Value) -> Page {
         format!("&d.{key}={}", utf8_percent_encode(&value, NON_ALPHANUMERIC))
     };
     let parts: String = parts.map(written).collect();
-    let view = "&v.phi_deg=0&v.playing=false&v.under_load=true&v.lang=en";
+    let view = "&v.phi_deg=0&v.playing=false&v.direction=1&v.speed=1&v.traces=true&v.under_load=true&v.lang=en";
     let url = format!("{}#2&kind=linkage{parts}{view}", home());
     let page = Page::open_at(&url, "en-US").await;
     page.until("the panel", async || {
@@ -158,7 +158,7 @@ async fn a_motor_drives_the_press() {
     let page = open(&press()).await;
     page.choose("motor-sort", "linear").await;
     page.write("field-motor.stall", "120").await;
-    page.write("field-motor.no_load", "13").await;
+    page.write("field-motor.no_load", "14").await;
     page.write("field-flywheel", "6").await;
     page.click("cycle-find").await;
     page.until("the cycle", async || {
@@ -166,7 +166,7 @@ async fn a_motor_drives_the_press() {
     })
     .await;
     let mut document = press();
-    document["motor"] = json!({"stall": 120, "no_load": 13});
+    document["motor"] = json!({"stall": 120, "no_load": 14});
     let (motion, loading, motor) = engine(&document);
     let diagram = Diagram::new(&motion, &loading, motor.as_ref(), 12.0).unwrap();
     let said = page.text("cycle-drive").await;
