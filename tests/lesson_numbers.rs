@@ -3,6 +3,7 @@
 mod assemblies;
 mod class4_notes;
 mod differential;
+mod forces;
 mod mixer;
 mod mobility;
 mod synthesis;
@@ -17,12 +18,13 @@ use assur_tests::files::source;
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
 
 /// Lessons that have notes for teachers.
-const WITH_NOTES: [&str; 5] = [
+const WITH_NOTES: [&str; 6] = [
     "mixer",
     "class4-dwell",
     "mobility",
     "differential",
     "synthesis",
+    "forces",
 ];
 const LESSON: Lesson = Lesson("class4-dwell");
 

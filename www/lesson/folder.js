@@ -22,12 +22,12 @@ import { holds, open } from "assur/lesson/show.js";
  * @template {Kind} [K=Kind]
  * @typedef {Readonly<{
  *   name?: string, preset: string, set?: Readonly<Record<string, number>>, drive?: string, play?: boolean, overlays?: readonly string[], plot?: string,
- *   at?: (summary: Summaries[K]) => number | undefined,
+ *   omega?: number, at?: (summary: Summaries[K]) => number | undefined,
  * }>} Show
  * A document that a button opens. `name`: the button's text has the key `ID.show.NAME`, where ID is the step's id and
  * NAME is this name; without a name the text is "Show it". `preset`: the document. `set`: changed dimensions, by their
  * names as in `controls`. `drive`: another link to drive. `play`: whether the mechanism moves. `overlays`, `plot`:
- * fields of the view. `at`: the input, such as a crank angle.
+ * fields of the view. `omega`: angular velocity of the crank for forces, rad/s. `at`: the input, such as a crank angle.
  */
 
 /**

@@ -80,11 +80,12 @@ function edits({ set = {}, drive }, document, simulator) {
  * @param {Summary | null} summary summary of the document, or null if the engine refuses it
  * @returns {Partial<View>} fields of the view in which the document is opened
  */
-function looked({ play = false, overlays = ["traces"], plot = "angles", at }, summary) {
+function looked({ play = false, overlays = ["traces"], plot = "angles", omega, at }, summary) {
   const shown = Object.fromEntries(SWITCHES.map((name) => [name, overlays.includes(name)]));
   const input = summary ? at?.(summary) : undefined;
   const coordinate = summary?.moves ? new Coordinate(summary.moves, summary.cycle, summary.input) : null;
   const driven = input === undefined || !coordinate ? {} : { [coordinate.viewKey]: coordinate.inputShown(input) };
   // The texts of steps describe plots of analogues, whatever the reader chose before.
-  return { ...shown, plot, axes: "analogues", ...driven, playing: play };
+  const rate = omega === undefined ? {} : { omega, epsilon: 0 };
+  return { ...shown, ...rate, plot, axes: "analogues", ...driven, playing: play };
 }

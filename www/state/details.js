@@ -1,18 +1,20 @@
-// Parts of a linkage's summary that take time to compute: ranges of the outputs, transmission angles, dwell, equations, and the number
-// of the moving assembly. Each is computed when it is first read.
+// Parts of a linkage's summary that take time to compute: ranges of the outputs, transmission angles, dwell, equations, the number
+// of the moving assembly, and the forces at the drawn input. Each is computed when it is first read.
 import { attempt } from "assur/core/problem.js";
 
 /**
  * @typedef {{ number: number, count: number, complete: boolean } | null} Assembled the moving assembly at the drawn
  * input; null if unknown. `number`: its number, from 1. `count`: number of assemblies known there. `complete`: whether
  * these are all
- * @typedef {Pick<import("assur/pkg/assur_web.js").Simulator, "assemblies" | "constraints" | "outputs" | "profile" | "transmissions">} Simulator
+ * @typedef {Pick<import("assur/pkg/assur_web.js").Simulator, "assemblies" | "constraints" | "forces" | "forcePlan" | "outputs" | "profile" | "transmissions">} Simulator
  * @typedef {{
  *   readonly outputs: readonly import("assur/types/web.js").OutputSummary[],
  *   readonly transmissions: readonly import("assur/types/web.js").TransmissionSummary[],
  *   readonly profile: import("assur/types/web.js").ProfileSummary | null,
  *   readonly equations: readonly import("assur/types/web.js").EquationSummary[],
  *   readonly assembled: Assembled,
+ *   readonly forces: import("assur/types/web.js").ForcesHere | null,
+ *   readonly plan: readonly import("assur/types/web.js").ForceStepHere[],
  * }} Details
  */
 
@@ -31,6 +33,8 @@ const QUESTIONS = Object.freeze({
   transmissions: (simulator) => simulator.transmissions(),
   profile: (simulator) => simulator.profile(),
   equations: (simulator) => simulator.constraints(),
+  forces: (simulator, home) => attempt(() => simulator.forces(home)).value,
+  plan: (simulator, home) => attempt(() => simulator.forcePlan(home, 1)).value?.steps ?? [],
   assembled: (simulator, home) => {
     const { value: here, problems } = attempt(() => simulator.assemblies(home));
     if (problems.some(({ code }) => code === "not_arrived")) return undefined;
