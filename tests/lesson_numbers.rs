@@ -3,6 +3,7 @@
 mod assemblies;
 mod class4_notes;
 mod differential;
+mod flywheel;
 mod forces;
 mod mixer;
 mod mobility;
@@ -18,13 +19,14 @@ use assur_tests::files::source;
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
 
 /// Lessons that have notes for teachers.
-const WITH_NOTES: [&str; 6] = [
+const WITH_NOTES: [&str; 7] = [
     "mixer",
     "class4-dwell",
     "mobility",
     "differential",
     "synthesis",
     "forces",
+    "flywheel",
 ];
 const LESSON: Lesson = Lesson("class4-dwell");
 

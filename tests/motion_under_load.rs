@@ -197,7 +197,7 @@ fn a_steady_cycle_is_the_end_of_a_long_run() {
             links: ["crank".to_owned(), "frame".to_owned()],
             damping: 0.05,
         }],
-        flywheel: 0.0,
+        ..LoadingSpec::default()
     };
     let loading = Loading::new(motion.mechanism(), &loading).unwrap();
     let motor = Motor::Linear {

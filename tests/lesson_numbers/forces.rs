@@ -45,7 +45,9 @@ impl Loaded {
 
     fn at(&self, input: f64, omega: f64) -> Reactions {
         let pose = self.motion.pose(input).unwrap();
-        let found = self.statics.reactions(&self.loading, &pose, input, [omega, 0.0]);
+        let found = self
+            .statics
+            .reactions(&self.loading, &pose, input, [omega, 0.0]);
         found.unwrap()
     }
 
@@ -57,7 +59,9 @@ impl Loaded {
     fn reaction(&self, hinge: &str) -> f64 {
         let mechanism = self.motion.mechanism();
         let mut pairs = self.statics.pairs();
-        let (id, _) = pairs.find(|(_, pair)| pair.name(mechanism) == hinge).unwrap();
+        let (id, _) = pairs
+            .find(|(_, pair)| pair.name(mechanism) == hinge)
+            .unwrap();
         self.at(FRAC_PI_3, OMEGA).of(id).vector().unwrap().norm()
     }
 
@@ -65,7 +69,10 @@ impl Loaded {
     fn turn(&self) -> [f64; 2] {
         let inputs = (0..STEPS).map(|step| TAU * step as f64 / STEPS as f64);
         let torques: Vec<f64> = inputs.map(|input| self.torque(input, OMEGA)).collect();
-        let greatest = torques.iter().map(|torque| torque.abs()).fold(0.0, f64::max);
+        let greatest = torques
+            .iter()
+            .map(|torque| torque.abs())
+            .fold(0.0, f64::max);
         [greatest, torques.iter().sum::<f64>() / STEPS as f64 * OMEGA]
     }
 }
@@ -73,7 +80,14 @@ impl Loaded {
 #[test]
 fn masses_are_as_the_text_says() {
     let loaded = document("loaded");
-    let mass = |name: &str| loaded.links.iter().find(|link| link.name == name).unwrap().mass_kg;
+    let mass = |name: &str| {
+        loaded
+            .links
+            .iter()
+            .find(|link| link.name == name)
+            .unwrap()
+            .mass_kg
+    };
     let [crank, coupler, rocker] = ["crank", "coupler", "rocker"].map(|name| mass(name).unwrap());
     for lang in LANGUAGES {
         LESSON.tells(lang, "inertia.text", &[crank, coupler, rocker, OMEGA, 60.0]);
@@ -82,9 +96,18 @@ fn masses_are_as_the_text_says() {
         LESSON.tells(lang, "drag.text", &[5.0, 0.5]);
     }
     // Uniform bars, the same in all three cases.
-    for (name, rocker_length) in [("inertia", 0.55), ("loaded", 0.55), ("loaded_b", 1.0), ("loaded_c", 0.55)] {
+    for (name, rocker_length) in [
+        ("inertia", 0.55),
+        ("loaded", 0.55),
+        ("loaded_b", 1.0),
+        ("loaded_c", 0.55),
+    ] {
         let document = document(name);
-        for (link, length) in [("crank", 0.37), ("coupler", 0.85), ("rocker", rocker_length)] {
+        for (link, length) in [
+            ("crank", 0.37),
+            ("coupler", 0.85),
+            ("rocker", rocker_length),
+        ] {
             let of = document.links.iter().find(|one| one.name == link).unwrap();
             let inertia = of.mass_kg.unwrap() * length * length / 12.0;
             assert_near(of.inertia.unwrap(), inertia, 1e-8, "a uniform bar");
@@ -99,9 +122,15 @@ fn masses_are_as_the_text_says() {
 #[test]
 fn forces_at_sixty_degrees() {
     let inertia = Loaded::new("inertia").at(FRAC_PI_3, OMEGA);
-    let largest = inertia.applied().iter().filter(|one| matches!(one.source, Source::Inertia));
+    let largest = inertia
+        .applied()
+        .iter()
+        .filter(|one| matches!(one.source, Source::Inertia));
     let sizes: Vec<f64> = largest.map(|one| one.force.norm()).collect();
-    assert!(sizes.iter().any(|size| (size - 54.8733).abs() < 1e-4), "{sizes:?}");
+    assert!(
+        sizes.iter().any(|size| (size - 54.8733).abs() < 1e-4),
+        "{sizes:?}"
+    );
     let weights = Loaded::new("weights");
     assert_near(weights.reaction("B"), 61.9533, 1e-4, "R₁₂");
     assert_near(weights.reaction("D"), 50.897, 1e-3, "R₀₃");

@@ -2,6 +2,7 @@
 import { LOST } from "assur/app/notices.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { notesOf, served } from "assur/core/served.js";
+import { measured } from "assur/core/units.js";
 import { END } from "assur/lesson/panel.js";
 import { withTolerance } from "assur/lesson/quantity.js";
 import { holds, open } from "assur/lesson/show.js";
@@ -38,7 +39,7 @@ import { holds, open } from "assur/lesson/show.js";
  *   places?: (summary: Summaries[K]) => Readonly<Record<string, number>>, hides?: readonly string[],
  * }>} Question
  * `answer`: the engine's answer for the current mechanism, a number or one of the `choices`; undefined if there is
- * none. `within`: tolerance of a number. `unit`: unit of the number. `round`: whether a difference of 360° is ignored.
+ * none. `within`: tolerance of a number. `unit`: unit of the number: a sign, or the name of a unit in the words of the page (`unit.NAME`). `round`: whether a difference of 360° is ignored.
  * `integer`: whether the number is a count, so that `ID.right` has plural forms. `places`: further numbers in
  * `ID.right`, for a count only. `hides`: names of read-outs and quantities that give the answer away. The page hides them until the
  * question is answered or the answer is shown.
@@ -131,7 +132,8 @@ export class FolderLesson {
    */
   #step(step, index, words) {
     const { id, formula = "", shows, question } = step;
-    const { choices, unit = "", within, hides = [] } = question;
+    const { choices, within, hides = [] } = question;
+    const unit = unitIn(question, words);
     return {
       id,
       title: words.text(`${id}.title`),
@@ -161,6 +163,16 @@ export class FolderLesson {
 }
 
 /**
+ * @param {Question} question
+ * @param {Words} words
+ * @returns {string} unit of the answer in the reader's language
+ */
+function unitIn({ unit = "" }, words) {
+  const named = `unit.${unit}`;
+  return words.has(named) ? words.text(named) : unit;
+}
+
+/**
  * @param {Step} step
  * @param {Snapshot} snapshot
  * @param {Words} words
@@ -171,7 +183,7 @@ function right({ id, question }, { summary }, words) {
   if (typeof exact !== "number") return words.text(`${id}.right`);
   const places = Object.entries(question.places?.(summary) ?? {}).map(([name, value]) => [name, words.numbers.exact(value)]);
   if (question.integer) return words.counted(`${id}.right`, exact, Object.fromEntries(places));
-  return words.text(`${id}.right`, { value: words.numbers.upTo(exact, 3) + (question.unit ?? "") });
+  return words.text(`${id}.right`, { value: measured(words.numbers.upTo(exact, 3), unitIn(question, words)) });
 }
 
 /**
@@ -183,7 +195,7 @@ function right({ id, question }, { summary }, words) {
 function answered({ id, question }, { summary }, words) {
   const exact = question.answer(summary);
   if (exact === undefined || exact === Infinity) return null;
-  return typeof exact === "string" ? words.text(`${id}.choice.${exact}`) : words.numbers.upTo(exact, 3) + (question.unit ?? "");
+  return typeof exact === "string" ? words.text(`${id}.choice.${exact}`) : measured(words.numbers.upTo(exact, 3), unitIn(question, words));
 }
 
 /**

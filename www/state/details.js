@@ -6,7 +6,7 @@ import { attempt } from "assur/core/problem.js";
  * @typedef {{ number: number, count: number, complete: boolean } | null} Assembled the moving assembly at the drawn
  * input; null if unknown. `number`: its number, from 1. `count`: number of assemblies known there. `complete`: whether
  * these are all
- * @typedef {Pick<import("assur/pkg/assur_web.js").Simulator, "assemblies" | "constraints" | "forces" | "forcePlan" | "outputs" | "profile" | "transmissions">} Simulator
+ * @typedef {Pick<import("assur/pkg/assur_web.js").Simulator, "assemblies" | "constraints" | "cycle" | "forces" | "forcePlan" | "outputs" | "profile" | "transmissions">} Simulator
  * @typedef {{
  *   readonly outputs: readonly import("assur/types/web.js").OutputSummary[],
  *   readonly transmissions: readonly import("assur/types/web.js").TransmissionSummary[],
@@ -14,6 +14,7 @@ import { attempt } from "assur/core/problem.js";
  *   readonly equations: readonly import("assur/types/web.js").EquationSummary[],
  *   readonly assembled: Assembled,
  *   readonly forces: import("assur/types/web.js").ForcesHere | null,
+ *   readonly steady: import("assur/types/web.js").CycleHere | null,
  *   readonly plan: readonly import("assur/types/web.js").ForceStepHere[],
  * }} Details
  */
@@ -27,6 +28,9 @@ import { attempt } from "assur/core/problem.js";
 /** @typedef {Summaries[import("assur/types/web.js").Kind]} Summary */
 /** @typedef {Summaries["linkage" | "mixer"]} MotionSummary */
 
+/** Coefficient of non-uniformity for which the flywheels of a steady cycle are found. */
+const NON_UNIFORMITY = 0.05;
+
 /** @type {{ [K in keyof Details]: (simulator: Simulator, home: number) => Details[K] | undefined }} undefined if the answer may come later */
 const QUESTIONS = Object.freeze({
   outputs: (simulator) => simulator.outputs(),
@@ -35,6 +39,7 @@ const QUESTIONS = Object.freeze({
   equations: (simulator) => simulator.constraints(),
   forces: (simulator, home) => attempt(() => simulator.forces(home)).value,
   plan: (simulator, home) => attempt(() => simulator.forcePlan(home, 1)).value?.steps ?? [],
+  steady: (simulator) => attempt(() => simulator.cycle(0, NON_UNIFORMITY)).value,
   assembled: (simulator, home) => {
     const { value: here, problems } = attempt(() => simulator.assemblies(home));
     if (problems.some(({ code }) => code === "not_arrived")) return undefined;

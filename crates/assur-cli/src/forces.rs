@@ -14,6 +14,9 @@ use crate::sweep::{Rows, asked_for, inputs, rate};
 use crate::words::{Words, number};
 use crate::{Failure, source};
 
+/// Parts of the shaking force and moment, as columns and fields.
+const SHAKING: [&str; 3] = ["x", "y", "moment"];
+
 /// Maximum number of rows of a motion under load.
 const MAX_ROWS: f64 = 1e7;
 
@@ -135,7 +138,13 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         let header = std::iter::once(first.to_owned())
             .chain(driven)
             .chain(reactions);
-        let header = header.chain(["reason".to_owned()]);
+        let shaking = SHAKING.map(|part| format!("shaking.{part}"));
+        let friction = loading.has_friction().then_some(["lost", "efficiency"]);
+        let friction = friction.into_iter().flatten().map(str::to_owned);
+        let header = header
+            .chain(shaking)
+            .chain(friction)
+            .chain(["reason".to_owned()]);
         csv.line(out, header.map(Cell::Text))?;
     }
     let mut rows: Vec<Value> = Vec::new();
@@ -162,6 +171,19 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
             let values = is_found.then(|| column.values(&found, units));
             (column, values.unwrap_or_default())
         });
+        let shaking = is_found.then(|| found.shaking(mechanism));
+        let shaking = shaking.map(|(force, moment)| {
+            [
+                force.x * units.force(),
+                force.y * units.force(),
+                moment * units.torque(),
+            ]
+        });
+        let friction = loading.has_friction().then(|| {
+            let lost = is_found.then(|| found.loss() * units.torque());
+            let efficiency = is_found.then(|| found.efficiency(rates[0])).flatten();
+            [lost, efficiency]
+        });
         if asked.json {
             let drivers = torques.map(|(name, kind, value)| json!({ "name": name, *kind: value }));
             let reactions = reactions.map(|(column, [x, y, moment])| {
@@ -174,6 +196,13 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
                 "drivers": drivers.collect::<Vec<_>>(),
                 "reactions": reactions.collect::<Vec<_>>(),
             });
+            if let Some(shaking) = shaking {
+                row["shaking"] = SHAKING.into_iter().zip(shaking).collect();
+            }
+            if let Some([lost, efficiency]) = friction {
+                row["lost"] = lost.into();
+                row["efficiency"] = efficiency.into();
+            }
             if let Some(reason) = reason {
                 row["reason"] = reason.into();
             }
@@ -187,7 +216,11 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
             });
             let first = std::iter::once(Cell::Number(at.counted));
             let last = [reason.map_or(Cell::Empty, Cell::Text)];
-            csv.line(out, first.chain(torques).chain(reactions).chain(last))?;
+            let friction = friction.into_iter().flatten().map(cell);
+            let shaking = (0..SHAKING.len()).map(|part| cell(shaking.map(|all| all[part])));
+            let cells = first.chain(torques).chain(reactions);
+            let cells = cells.chain(shaking).chain(friction);
+            csv.line(out, cells.chain(last))?;
         }
     }
     if asked.json {

@@ -61,7 +61,7 @@ enum Command {
     Sweep(sweep::Asked),
     /// Writes a table (CSV) of the reactions in all pairs and of the torques or forces that balance the drivers.
     ///
-    /// Masses, gravity, loads, springs and dampers are those of the file (docs/file-format.md). The driver moves at a
+    /// Masses, gravity, loads, springs, dampers and friction are those of the file (docs/file-format.md). The driver moves at a
     /// constant speed, or as --omega and --epsilon say. Rows are those of `assur sweep`.
     ///
     /// After the input come DRIVER.torque, or DRIVER.force of a driven slide, then for each pair the force on one link
@@ -70,8 +70,11 @@ enum Command {
     /// positive counter-clockwise; without a unit of lengths they are in the consistent unit. A cell is empty if
     /// redundant constraints leave it undetermined, or if there is no pose; `reason` says why there is none.
     ///
+    /// Then come the force and moment (about the origin) with which the moving links shake the frame, shaking.x,
+    /// shaking.y and shaking.moment; with friction also the power lost (watts) and the efficiency of the first driver.
+    ///
     /// With --json: {"rows": [{"input", "drivers": [{"name", "torque" or "force"}], "reactions": [{"pair", "on", "from",
-    /// "x", "y", "moment"}]}]}, with null for what is undetermined.
+    /// "x", "y", "moment"}], "shaking": {"x", "y", "moment"}}]}, with null for what is undetermined.
     ///
     /// Example: assur forces crank.json --step 10 --omega 20
     Forces(forces::Asked),

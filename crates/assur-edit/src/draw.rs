@@ -38,6 +38,12 @@ impl Drawing {
     }
 
     pub(crate) fn apply(&mut self, edit: &Edit) -> Done {
+        self.act(edit)?;
+        self.document.remove_idle_friction();
+        Ok(())
+    }
+
+    fn act(&mut self, edit: &Edit) -> Done {
         match edit {
             Edit::Point { at, fixed } => {
                 let end = if *fixed {

@@ -161,6 +161,7 @@ pub(crate) fn rename_point(document: &mut LinkageDocument, from: &str, to: &str)
     document.traces.iter_mut().for_each(put);
     document.locks.iter_mut().flatten().for_each(put);
     document.points_under_load(&mut |point, _| put(point));
+    document.hinges_with_friction(&mut { put });
     rename_plots(document, from, to, &["x", "y"]);
 }
 

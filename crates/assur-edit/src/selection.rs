@@ -46,6 +46,7 @@ pub fn selected(
         loads: document.loads.clone(),
         springs: document.springs.clone(),
         dampers: document.dampers.clone(),
+        friction: document.friction.clone(),
         points: document
             .points
             .iter()
@@ -88,6 +89,7 @@ pub fn selected(
         ..LinkageDocument::default()
     };
     part.remove_under_load(|name| !links.iter().any(|one| one == name), |_| false);
+    part.remove_idle_friction();
     part
 }
 
@@ -127,6 +129,7 @@ impl Drawing {
         document.loads.extend(other.loads);
         document.springs.extend(other.springs);
         document.dampers.extend(other.dampers);
+        document.friction.extend(other.friction);
         document.locks.extend(other.locks);
         for (k, name) in points.iter().enumerate() {
             let free = names::free_point(document, name);

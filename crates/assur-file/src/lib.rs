@@ -33,10 +33,10 @@ pub use kinds::gear_train::{
     ObserverDocument, PolesDocument, ShaftDocument,
 };
 pub use kinds::linkage::{
-    AnchorDocument, DamperDocument, DriverDocument, ForceUnits, GearDocument, HarmonicDocument,
-    LinkDocument, LinkageDocument, LinkageProblem, LoadDocument, MeshDocument, MotorDocument,
-    PointDocument, SlideDocument, SpringDocument, TracerDocument, dimension_field, in_field,
-    is_of_forces, of_field, rate_field,
+    AnchorDocument, DamperDocument, DriverDocument, ForceUnits, FrictionDocument, GearDocument,
+    HarmonicDocument, LinkDocument, LinkageDocument, LinkageProblem, LoadDocument, MeshDocument,
+    MotorDocument, PointDocument, SlideDocument, SpringDocument, TracerDocument, dimension_field,
+    in_field, is_of_forces, of_field, rate_field,
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::numbers::NumberField;

@@ -9,9 +9,9 @@ const PLAN = Object.freeze(["traces", "forces", "force_plan"]);
 export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "inertia",
-    formula: "Φ = −m a\nMΦ = −J α",
+    formula: "Φ = −m a\nMΦ = −J ε",
     shows: [{ preset: "inertia", at: home, omega: OMEGA, overlays: [...ALL, "centres"], plot: "C2" }],
-    question: { unit: " N", within: 0.5, answer: ({ forces }) => sizeOf(forces?.applied.find(({ kind, link }) => kind === "inertia" && link === "coupler")) },
+    question: { unit: "newton", within: 0.5, answer: ({ forces }) => sizeOf(forces?.applied.find(({ kind, link }) => kind === "inertia" && link === "coupler")) },
   },
   {
     id: "order",
@@ -24,19 +24,19 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "tangential",
     formula: "ΣM_C = 0",
     shows: [{ preset: "weights", at: home, omega: OMEGA, overlays: PLAN }],
-    question: { unit: " N", within: 0.3, answer: ({ plan: [first] }) => first?.terms.find(({ known }) => !known)?.size },
+    question: { unit: "newton", within: 0.3, answer: ({ plan: [first] }) => first?.terms.find(({ known }) => !known)?.size },
   },
   {
     id: "polygon",
     formula: "R₁₂ⁿ + R₁₂ᵗ + G₂ + Φ₂ + G₃ + Φ₃ + R₀₃ᵗ + R₀₃ⁿ = 0",
     shows: [{ preset: "weights", at: home, omega: OMEGA, overlays: PLAN }],
-    question: { unit: " N", within: 0.5, answer: ({ forces }) => forces?.reactions.find(({ pair }) => pair === "B")?.value ?? undefined },
+    question: { unit: "newton", within: 0.5, answer: ({ forces }) => forces?.reactions.find(({ pair }) => pair === "B")?.value ?? undefined },
   },
   {
     id: "crank",
     formula: "ΣM_A = 0",
     shows: [{ preset: "weights", at: home, omega: OMEGA, overlays: PLAN }],
-    question: { unit: " N·m", within: 0.3, answer: ({ forces }) => forces?.drives[0].value ?? undefined },
+    question: { unit: "newton_metre", within: 0.3, answer: ({ forces }) => forces?.drives[0].value ?? undefined },
   },
   {
     id: "lever",

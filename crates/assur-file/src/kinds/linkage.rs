@@ -16,8 +16,8 @@ use super::numbers::{self, NumberField};
 use super::{Document, Kind};
 use crate::{Field, LengthUnit, Problem, catalogue};
 pub use forces::{
-    AnchorDocument, DamperDocument, ForceUnits, HarmonicDocument, LoadDocument, MotorDocument,
-    SpringDocument,
+    AnchorDocument, DamperDocument, ForceUnits, FrictionDocument, HarmonicDocument, LoadDocument,
+    MotorDocument, SpringDocument,
 };
 pub use moved::is_of_forces;
 pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
@@ -75,6 +75,10 @@ pub struct LinkageDocument {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub dampers: Vec<DamperDocument>,
+    /// Friction in hinges and slides; it counts in the reactions, not in the motion under load.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub friction: Vec<FrictionDocument>,
     /// Motor of the first driver; without it the driver is free in a motion under load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub motor: Option<MotorDocument>,

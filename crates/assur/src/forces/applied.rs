@@ -35,6 +35,8 @@ pub enum Source {
     Spring(usize),
     /// A damper.
     Damper(usize),
+    /// Friction in a pair.
+    Friction(usize),
 }
 
 /// Turn rate of a body with respect to the input, and its second derivative.

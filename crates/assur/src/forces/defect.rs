@@ -16,6 +16,8 @@ pub enum Part {
     Spring,
     /// A damper.
     Damper,
+    /// Friction of a pair.
+    Friction,
     /// The motor.
     Motor,
     /// The flywheel.
@@ -52,6 +54,8 @@ pub enum Defect {
     NoNumber { part: Part, index: usize },
     /// A spring or damper between two points of one body, or between a link and itself: it does nothing.
     Idle { part: Part, index: usize },
+    /// Friction at a point without a hinge, or of a link that does not slide.
+    NoPair { index: usize, name: String },
     /// A flywheel on a linkage whose first driver is no crank.
     NoCrank,
 }

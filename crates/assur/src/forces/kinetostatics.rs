@@ -6,6 +6,7 @@ use super::pair::{Component, DriverId, Kind, Pair, PairId, Wrench, drives, pairs
 use super::{Loading, Reactions};
 use crate::index::{BodyId, Id, StepId};
 use crate::mechanism::{Mechanism, Pose};
+use crate::position::State;
 
 /// Pairs, drives and order of the equilibrium of a mechanism.
 ///
@@ -25,11 +26,16 @@ pub struct Kinetostatics {
     pub(super) size: f64,
 }
 
-/// The bodies placed by a step cannot be balanced: the pose is singular, and reactions are unbounded.
+/// The reason why a pose has no reactions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Unbalanced {
-    /// The step; [`Mechanism::links_of`] gives the names of its links.
-    pub step: StepId,
+pub enum Unbalanced {
+    /// The bodies placed by a step cannot be balanced: the pose is singular, and reactions are unbounded.
+    Singular {
+        /// The step; [`Mechanism::links_of`] gives the names of its links.
+        step: StepId,
+    },
+    /// No reactions satisfy the law of friction: the mechanism is self-locking.
+    Locked,
 }
 
 impl Kinetostatics {
@@ -150,7 +156,7 @@ impl Kinetostatics {
     /// Reactions in a pose at an input with a rate and an acceleration with respect to time.
     ///
     /// # Errors
-    /// The pose is singular.
+    /// The pose is singular, or the mechanism is self-locking in it.
     pub fn reactions(
         &self,
         loading: &Loading,
@@ -166,7 +172,7 @@ impl Kinetostatics {
     /// Writes the reactions in a pose into `found`, whose buffers are used again.
     ///
     /// # Errors
-    /// The pose is singular; `found` is then invalid.
+    /// Those of [`Self::reactions`]; `found` is then invalid.
     pub fn balance(
         &self,
         loading: &Loading,
@@ -184,6 +190,24 @@ impl Kinetostatics {
             .map(|component| component.placed(state));
         found.placed.clear();
         found.placed.extend(placed);
+        found.friction.clear();
+        found.bare.clear();
+        self.solve(state, found)?;
+        if !loading.friction.is_empty() {
+            self.rub(loading, state, motion[0], found)?;
+        }
+        found.fill(
+            &self.pairs,
+            &self.starts,
+            &self.components,
+            self.held,
+            self.size,
+        );
+        Ok(())
+    }
+
+    /// Finds the components of pairs and drives that balance the applied forces in `found`.
+    pub(super) fn solve(&self, state: &State<3>, found: &mut Reactions) -> Result<(), Unbalanced> {
         if found.totals.len() != self.bodies {
             found.totals = vec![Total::default(); self.bodies].into();
         }
@@ -221,21 +245,30 @@ impl Kinetostatics {
             let step = block.step;
             if block.form == Form::Redundant {
                 let solved = block.redundant(&mut work, &mut found.components);
-                solved.ok_or(Unbalanced { step })?;
+                solved.ok_or(Unbalanced::Singular { step })?;
             } else {
-                block.solve(&mut work).ok_or(Unbalanced { step })?;
+                let solved = block.solve(&mut work);
+                solved.ok_or(Unbalanced::Singular { step })?;
                 for component in &block.components {
                     found.components[*component] = Some(found.values[*component]);
                 }
             }
         }
-        found.fill(
-            &self.pairs,
-            &self.starts,
-            &self.components,
-            self.held,
-            self.size,
-        );
         Ok(())
+    }
+
+    /// A pair, with the index of its first component.
+    pub(super) fn held(&self, pair: PairId) -> (usize, &Pair) {
+        (self.starts[pair.0], &self.pairs[pair.0])
+    }
+
+    /// Number of components of pairs, before those of the drives.
+    pub(super) fn pairs_held(&self) -> usize {
+        self.held
+    }
+
+    /// Length by which couples are divided.
+    pub(super) fn size(&self) -> f64 {
+        self.size
     }
 }

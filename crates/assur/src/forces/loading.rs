@@ -1,7 +1,9 @@
 //! A valid loading of a mechanism: masses of its bodies, and forces at places of its bodies.
 
+use super::friction::{Friction, FrictionLaw};
 use super::masses::{BodyMass, crank, mass};
-use super::spec::{AnchorSpec, DamperSpec, LoadSpec, LoadingSpec, SpringSpec};
+use super::pair::{self, Kind, PairId};
+use super::spec::{AnchorSpec, DamperSpec, FrictionSpec, LoadSpec, LoadingSpec, SpringSpec};
 use super::{Defect, Law, Part};
 use crate::Vector;
 use crate::index::{BodyId, List};
@@ -19,6 +21,7 @@ pub struct Loading {
     pub(super) loads: Vec<Load>,
     pub(super) springs: Vec<Spring>,
     pub(super) dampers: Vec<Damper>,
+    pub(super) friction: Vec<Friction>,
     /// True if the input is the angle of a crank.
     pub(super) turns: bool,
     /// The crank of the first driver, with its moment of inertia without the flywheel.
@@ -110,6 +113,10 @@ impl Loading {
         let dampers =
             dampers.map(|(index, damper)| names.about(Part::Damper, index).damper(damper));
         let dampers = all(dampers);
+        let friction = spec.friction.iter().enumerate();
+        let friction =
+            friction.map(|(index, one)| names.about(Part::Friction, index).friction(one));
+        let friction = all(friction);
         names
             .about(Part::Flywheel, 0)
             .not_negative(&[spec.flywheel]);
@@ -117,19 +124,27 @@ impl Loading {
         if spec.flywheel > 0.0 && own.crank.is_none() {
             names.defects.push(Defect::NoCrank);
         }
-        match (loads, springs, dampers) {
-            (Some(loads), Some(springs), Some(dampers)) if names.defects.is_empty() => {
+        match (loads, springs, dampers, friction) {
+            (Some(loads), Some(springs), Some(dampers), Some(friction))
+                if names.defects.is_empty() =>
+            {
                 let loading = Self {
                     gravity: spec.gravity,
                     loads,
                     springs,
                     dampers,
+                    friction: friction.concat(),
                     ..own
                 };
                 Ok(loading.with_flywheel(spec.flywheel))
             }
             _ => Err(names.defects),
         }
+    }
+
+    /// True if a pair has friction.
+    pub fn has_friction(&self) -> bool {
+        !self.friction.is_empty()
     }
 
     /// Moment of inertia of the flywheel; zero without one.
@@ -178,6 +193,7 @@ impl Loading {
             loads: Vec::new(),
             springs: Vec::new(),
             dampers: Vec::new(),
+            friction: Vec::new(),
             turns: mechanism.turns(),
         }
     }
@@ -371,5 +387,59 @@ impl Names<'_> {
                 Some(Damper::Torsion { bodies, damping })
             }
         }
+    }
+
+    fn friction(&mut self, friction: &FrictionSpec) -> Option<Vec<Friction>> {
+        let (FrictionSpec::Hinge { coefficient, .. } | FrictionSpec::Slide { coefficient, .. }) =
+            friction;
+        let (name, law) = match friction {
+            FrictionSpec::Hinge { point, radius, .. } => {
+                self.not_negative(&[*coefficient, *radius]);
+                let circle = coefficient * radius;
+                (point, FrictionLaw::Hinge { circle })
+            }
+            FrictionSpec::Slide { link, length, .. } => {
+                let length = length.unwrap_or(0.0);
+                self.not_negative(&[*coefficient, length]);
+                let coefficient = *coefficient;
+                (
+                    link,
+                    FrictionLaw::Slide {
+                        coefficient,
+                        length,
+                    },
+                )
+            }
+        };
+        let pairs = pair::pairs(self.mechanism);
+        let own = pairs
+            .iter()
+            .enumerate()
+            .filter(|(_, pair)| match pair.kind {
+                Kind::Hinge(_, point) => {
+                    matches!(law, FrictionLaw::Hinge { .. })
+                        && self.mechanism.point_name(point) == name
+                }
+                Kind::Slide(guide) => {
+                    let link = self.mechanism.link(name);
+                    let body = link.map(|link| self.mechanism.body_of(Some(link)));
+                    matches!(law, FrictionLaw::Slide { .. }) && body == Some(guide.at.body)
+                }
+                Kind::Mesh(_) => false,
+            });
+        let index = self.index;
+        let own: Vec<Friction> = own
+            .map(|(pair, _)| Friction {
+                pair: PairId(pair),
+                index,
+                law,
+            })
+            .collect();
+        if own.is_empty() {
+            let name = name.clone();
+            self.defects.push(Defect::NoPair { index, name });
+            return None;
+        }
+        Some(own)
     }
 }

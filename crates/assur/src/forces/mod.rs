@@ -17,6 +17,8 @@
 //! | `free_body` | all forces and couples on a body |
 //! | `plan` | force plans, group by group, as constructed by hand |
 //! | `lever` | Zhukovsky's lever: the turned plan of velocities with the forces on it |
+//! | `friction` | dry friction in hinges and slides, efficiency, self-locking; the motion under load leaves it out |
+//! | `shaking` | shaking force and moment, counterweights of a four-bar |
 //! | `reduced` | moment of inertia and torque reduced to the input; energies |
 //! | `motor` | the torque of a motor by its speed |
 //! | `system`, `run` | the linkage as a system of one freedom; motion of the input in time |
@@ -35,6 +37,7 @@ mod defect;
 mod diagram;
 mod flywheel;
 mod free_body;
+mod friction;
 mod kinetostatics;
 mod law;
 mod lever;
@@ -46,6 +49,7 @@ mod plan;
 mod reactions;
 mod reduced;
 mod run;
+mod shaking;
 mod spec;
 mod system;
 
@@ -55,6 +59,7 @@ pub use defect::{Defect, Part};
 pub use diagram::{Diagram, DiagramPoint};
 pub use flywheel::{MAX_NON_UNIFORMITY, Mertsalov, Wittenbauer};
 pub use free_body::{Acting, Cause};
+pub use friction::Rubbing;
 pub use kinetostatics::{Kinetostatics, Unbalanced};
 pub use law::{Harmonic, Law};
 pub use lever::{Lever, LeverTerm};
@@ -66,4 +71,5 @@ pub use plan::{Component, ForceName, ForcePlan, PlanStep, StepKind, Term};
 pub use reactions::{Reaction, Reactions};
 pub use reduced::Reduced;
 pub use run::{Halt, NoRun, Reading, Run};
-pub use spec::{AnchorSpec, DamperSpec, LoadSpec, LoadingSpec, SpringSpec};
+pub use shaking::{Counterweight, counterweights};
+pub use spec::{AnchorSpec, DamperSpec, FrictionSpec, LoadSpec, LoadingSpec, SpringSpec};

@@ -1,5 +1,6 @@
 //! Reactions of the pairs of a mechanism in a pose, and the torques and forces of its drives.
 
+use super::Rubbing;
 use super::applied::Applied;
 use super::block::{Matrix, Total};
 use super::pair::{Component, DriverId, Pair, PairId, Placed, Wrench};
@@ -16,6 +17,10 @@ pub struct Reactions {
     /// Components of pairs and drives; None if statically indeterminate.
     pub(super) components: Vec<Option<f64>>,
     pub(super) values: Vec<f64>,
+    pub(super) friction: Vec<Rubbing>,
+    /// Components of the drives without friction; empty if there is none.
+    pub(super) bare: Vec<f64>,
+    held: usize,
     pub(super) placed: Vec<Placed>,
     pub(super) totals: List<BodyId, Total>,
     pub(super) matrices: Vec<Matrix>,
@@ -90,6 +95,11 @@ impl Reactions {
         &self.applied
     }
 
+    /// Component of the first drive.
+    pub(super) fn first_component(&self) -> Option<f64> {
+        self.components.get(self.held).copied().flatten()
+    }
+
     pub(super) fn fill(
         &mut self,
         pairs: &[Pair],
@@ -98,6 +108,7 @@ impl Reactions {
         held: usize,
         size: f64,
     ) {
+        self.held = held;
         let found = &self.components;
         let reactions = pairs.iter().zip(starts).map(|(pair, start)| {
             let placed = &self.placed[*start];

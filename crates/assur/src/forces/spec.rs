@@ -14,6 +14,8 @@ pub struct LoadingSpec {
     pub springs: Vec<SpringSpec>,
     /// Dampers.
     pub dampers: Vec<DamperSpec>,
+    /// Friction in hinges and slides.
+    pub friction: Vec<FrictionSpec>,
     /// Moment of inertia of a flywheel on the crank of the first driver; zero without one.
     pub flywheel: f64,
 }
@@ -26,6 +28,7 @@ impl Default for LoadingSpec {
             loads: Vec::new(),
             springs: Vec::new(),
             dampers: Vec::new(),
+            friction: Vec::new(),
             flywheel: 0.0,
         }
     }
@@ -125,5 +128,29 @@ pub enum DamperSpec {
         links: [String; 2],
         /// Damping coefficient c; zero or more.
         damping: f64,
+    },
+}
+
+/// Dry friction in pairs.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FrictionSpec {
+    /// Friction in all hinges at a point.
+    Hinge {
+        /// Name of the point.
+        point: String,
+        /// Coefficient of friction.
+        coefficient: f64,
+        /// Radius of the pin.
+        radius: f64,
+    },
+    /// Friction in all slides of a link.
+    Slide {
+        /// Name of the sliding link.
+        link: String,
+        /// Coefficient of friction.
+        coefficient: f64,
+        /// Length of the block along the line, if known: the block then bears on both ends where the line of the
+        /// reaction passes it.
+        length: Option<f64>,
     },
 }

@@ -45,6 +45,7 @@ fn counts(document: &LinkageDocument) -> Vec<LinkageProblem> {
         ("loads".to_owned(), document.loads.len(), MAX_PAIRS),
         ("springs".to_owned(), document.springs.len(), MAX_PAIRS),
         ("dampers".to_owned(), document.dampers.len(), MAX_PAIRS),
+        ("friction".to_owned(), document.friction.len(), MAX_PAIRS),
         ("plots".to_owned(), document.plots.len(), MAX_SHOWN),
         ("traces".to_owned(), document.traces.len(), MAX_SHOWN),
         ("locks".to_owned(), document.locks.len(), MAX_PAIRS),

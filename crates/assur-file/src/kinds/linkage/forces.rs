@@ -98,6 +98,27 @@ pub struct DamperDocument {
     pub damping: f64,
 }
 
+/// Dry friction in the hinges at a point, or in the slides of a link.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]
+#[serde(deny_unknown_fields)]
+pub struct FrictionDocument {
+    /// The point of the hinges.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hinge: Option<String>,
+    /// The link that slides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slide: Option<String>,
+    /// Coefficient of friction.
+    pub coefficient: f64,
+    /// Radius of the pin of a hinge, in the unit of lengths.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radius: Option<f64>,
+    /// Length of the block of a slide along the line, in the unit of lengths, if known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+}
+
 /// The motor of the first driver: its torque in N·m by the speed of the crank in rad/s. If a slide is driven, its force
 /// in N by the speed in units of length per second.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -126,6 +126,10 @@ pub enum LinkageProblem {
     ForceNoNumber { path: String },
     /// A spring or damper with both ends on one rigid body.
     ForceIdle { path: String },
+    /// Friction at a point without a hinge, or of a link that does not slide.
+    FrictionNoPair { path: String, name: String },
+    /// Friction that holds the mechanism, whatever the driver does.
+    SelfLocking,
     /// A motion under load of a linkage with several drivers.
     RunSeveralDrivers,
     /// A motion under load of links without mass.
@@ -154,9 +158,11 @@ pub enum LinkageProblem {
 impl LinkageProblem {
     /// The reason why a pose has no reactions, with the names of the links concerned.
     pub fn unbalanced(unbalanced: Unbalanced, mechanism: &Mechanism) -> Self {
-        let links = mechanism.links_of(unbalanced.step);
-        Self::ReactionsUnbounded {
-            links: links.map(str::to_owned).collect(),
+        match unbalanced {
+            Unbalanced::Singular { step } => Self::ReactionsUnbounded {
+                links: mechanism.links_of(step).map(str::to_owned).collect(),
+            },
+            Unbalanced::Locked => Self::SelfLocking,
         }
     }
 

@@ -5,12 +5,14 @@
 
 use assur::Vector;
 use assur::forces::{
-    AnchorSpec, DamperSpec, Defect, Harmonic, Law, LoadSpec, Loading, LoadingSpec, Motor, NoCycle,
-    NoRun, Part, SpringSpec,
+    AnchorSpec, DamperSpec, Defect, FrictionSpec, Harmonic, Law, LoadSpec, Loading, LoadingSpec,
+    Motor, NoCycle, NoRun, Part, SpringSpec,
 };
 use assur::mechanism::Mechanism;
 
-use super::{AnchorDocument, DamperDocument, LoadDocument, MotorDocument, SpringDocument};
+use super::{
+    AnchorDocument, DamperDocument, FrictionDocument, LoadDocument, MotorDocument, SpringDocument,
+};
 use crate::LengthUnit;
 use crate::kinds::linkage::{LinkageDocument, LinkageProblem};
 
@@ -100,12 +102,15 @@ impl LinkageDocument {
         let springs = springs.map(|(k, spring)| spring.spec(units).ok_or(("springs", k)));
         let dampers = self.dampers.iter().enumerate();
         let dampers = dampers.map(|(k, damper)| damper.spec(units).ok_or(("dampers", k)));
+        let friction = self.friction.iter().enumerate();
+        let friction = friction.map(|(k, one)| one.spec().ok_or(("friction", k)));
         let mut unclear = Vec::new();
         let spec = LoadingSpec {
             gravity: self.gravity.map_or(Vector::zeros(), Vector::from) / units.length,
             loads: known(loads, &mut unclear),
             springs: known(springs, &mut unclear),
             dampers: known(dampers, &mut unclear),
+            friction: known(friction, &mut unclear),
             flywheel: self.flywheel.unwrap_or(0.0) / units.torque(),
         };
         if unclear.is_empty() {
@@ -247,6 +252,25 @@ impl DamperDocument {
     }
 }
 
+impl FrictionDocument {
+    fn spec(&self) -> Option<FrictionSpec> {
+        let coefficient = self.coefficient;
+        match (&self.hinge, &self.slide) {
+            (Some(point), None) if self.length.is_none() => Some(FrictionSpec::Hinge {
+                point: point.clone(),
+                coefficient,
+                radius: self.radius?,
+            }),
+            (None, Some(link)) if self.radius.is_none() => Some(FrictionSpec::Slide {
+                link: link.clone(),
+                coefficient,
+                length: self.length,
+            }),
+            _ => None,
+        }
+    }
+}
+
 impl LinkageProblem {
     /// The problem of a defect of the forces.
     pub fn of_forces(defect: &Defect) -> Self {
@@ -257,6 +281,7 @@ impl LinkageProblem {
             Part::Load => format!("loads[{index}]"),
             Part::Spring => format!("springs[{index}]"),
             Part::Damper => format!("dampers[{index}]"),
+            Part::Friction => format!("friction[{index}]"),
         };
         match defect {
             Defect::OnNoLink { part, index, name } => Self::ForceOnNoLink {
@@ -278,6 +303,10 @@ impl LinkageProblem {
             },
             Defect::Idle { part, index } => Self::ForceIdle {
                 path: path(part, *index),
+            },
+            Defect::NoPair { index, name } => Self::FrictionNoPair {
+                path: path(&Part::Friction, *index),
+                name: name.clone(),
             },
             Defect::NoCrank => Self::FlywheelNoCrank,
         }

@@ -17,6 +17,9 @@ impl LinkageDocument {
         for damper in &mut self.dampers {
             damper.links.iter_mut().flatten().for_each(&mut *put);
         }
+        for friction in &mut self.friction {
+            friction.slide.iter_mut().for_each(&mut *put);
+        }
         for end in self.ends() {
             put(&mut end.link);
         }
@@ -34,12 +37,32 @@ impl LinkageDocument {
         }
     }
 
+    /// Calls a function with every name of a point whose hinges have friction.
+    pub fn hinges_with_friction(&mut self, put: &mut impl FnMut(&mut String)) {
+        for friction in &mut self.friction {
+            friction.hinge.iter_mut().for_each(&mut *put);
+        }
+    }
+
     fn ends(&mut self) -> impl Iterator<Item = &mut AnchorDocument> {
         let springs = self.springs.iter_mut();
         let springs = springs.filter_map(|spring| spring.ends.as_mut());
         let dampers = self.dampers.iter_mut();
         let dampers = dampers.filter_map(|damper| damper.ends.as_mut());
         springs.chain(dampers).flatten()
+    }
+
+    /// Removes friction at points that are no hinges, and of links that do not slide.
+    pub fn remove_idle_friction(&mut self) {
+        let (links, slides, frame) = (&self.links, &self.slides, &self.frame);
+        let is_hinge = |point: &String| {
+            let on_links = links.iter().filter(|link| link.points.contains(point));
+            on_links.count() + usize::from(frame.contains(point)) > 1
+        };
+        self.friction.retain(|friction| {
+            friction.hinge.iter().all(is_hinge)
+                && (friction.slide.iter()).all(|name| slides.iter().any(|one| one.link == *name))
+        });
     }
 
     /// Removes loads, springs and dampers on links or points that are gone.
