@@ -97,7 +97,7 @@ fn counterweights_balance_a_four_bar() {
 
 #[test]
 fn only_a_four_bar_has_this_rule() {
-    for id in ["class4-dwell", "offset-slider-crank"] {
+    for id in ["class4-dwell", "slider-crank-offset"] {
         let mechanism = from_catalogue(id).unwrap().unwrap().mechanism().unwrap();
         let loading = Loading::new(&mechanism, &LoadingSpec::default()).unwrap();
         let motion = Motion::new(mechanism.clone());
