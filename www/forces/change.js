@@ -33,7 +33,7 @@ export function putLink(page, index, change) {
 }
 
 /**
- * @template {"loads" | "springs" | "dampers"} L
+ * @template {"loads" | "springs" | "dampers" | "friction"} L
  * @param {Page} page
  * @param {L} list
  * @param {(entries: NonNullable<Document[L]>) => NonNullable<Document[L]>} change

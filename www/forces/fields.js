@@ -8,7 +8,7 @@ import { make } from "assur/core/dom.js";
  */
 
 /** Units by their names in the words; that of a moment of inertia and of a centre of mass depends on the unit of lengths. */
-const UNITS = Object.freeze(/** @type {const} */ (["kg", "newton", "newton_metre", "free_fall", "density", "stiffness", "torsion", "damping", "torsion_damping", "drag", "drag_square", "angular_drag", "angular_drag_square"]));
+const UNITS = Object.freeze(/** @type {const} */ (["kg", "newton", "newton_metre", "watt", "free_fall", "density", "stiffness", "torsion", "damping", "torsion_damping", "drag", "drag_square", "angular_drag", "angular_drag_square"]));
 
 /** @typedef {typeof UNITS[number] | "length" | "area" | "inertia" | "degree" | "none"} Unit */
 

@@ -1,4 +1,4 @@
-// The fold with masses and loads: gravity, masses of the links, loads, springs and dampers. Loaded when the fold is first opened.
+// The fold with masses and loads: gravity, masses of the links, loads, springs, dampers and friction. Loaded when the fold is first opened.
 import "assur/forces/style.js";
 import { sentence } from "assur/controls/problems.js";
 import { byId, make } from "assur/core/dom.js";
@@ -7,6 +7,7 @@ import { Seen } from "assur/core/seen.js";
 import { linkageOf } from "assur/forces/change.js";
 import { Loads, TERMS } from "assur/forces/load-list.js";
 import { Masses } from "assur/forces/masses.js";
+import { FrictionList } from "assur/forces/friction-list.js";
 import { Springs } from "assur/forces/spring-list.js";
 import { inputNow } from "assur/state/change.js";
 
@@ -24,6 +25,7 @@ export class LoadFold {
   #loads;
   #springs;
   #dampers;
+  #friction;
   #fold = byId("fold-loads", HTMLDetailsElement);
   #consistent = make("p", { class: "forces-consistent", "data-t": "forces.consistent" });
   #own;
@@ -38,11 +40,12 @@ export class LoadFold {
     this.#loads = new Loads(page);
     this.#springs = new Springs(page, "springs");
     this.#dampers = new Springs(page, "dampers");
+    this.#friction = new FrictionList(page);
     const { words } = page;
     this.#own = make("div", {}, [
       this.#consistent,
       this.#masses.element,
-      ...[this.#loads, this.#springs, this.#dampers].map(({ element, name }) => make("section", {}, [make("h2", { "data-t": `forces.${name}` }), element])),
+      ...[this.#loads, this.#springs, this.#dampers, this.#friction].map(({ element, name }) => make("section", {}, [make("h2", { "data-t": `forces.${name}` }), element])),
     ]);
     const become = make("button", { id: "loads-become", type: "button", class: "control", "data-t": "forces.become", onclick: () => this.#become() });
     this.#others = make("div", {}, [make("p", { "data-t": "forces.only_linkage" }), become]);
@@ -63,14 +66,14 @@ export class LoadFold {
     this.#consistent.hidden = words.unit !== "";
     const wrong = new Set(problems.map(placeOf));
     if (this.#shown.same(document, summary, words, problems.map((one) => JSON.stringify(one)).join())) return;
-    const parts = [this.#masses, this.#loads, this.#springs, this.#dampers];
+    const parts = [this.#masses, this.#loads, this.#springs, this.#dampers, this.#friction];
     const shape = JSON.stringify([document.links.map(({ name, points }) => [name, points]), document.tracers?.map(({ name, link }) => [name, link]), ...parts.map((part) => part.shape(document))]);
     if (!this.#built.same(words, shape)) for (const part of parts) part.build(document, words);
     const said = (/** @type {readonly Problem[]} */ own) => own.map((problem) => sentence(problem, words, document)).join(" ");
     const ofLinks = document.links.map(({ name }, i) => problems.filter(({ link, code, field }) => (link === name && code in OF_MASSES) || field?.startsWith(`masses[${i}]`)));
     ofLinks.forEach((own, i) => own.forEach(({ code }) => wrong.add(`masses[${i}].${OF_MASSES[code]}`)));
     this.#masses.show(document, words, wrong, (i) => said(ofLinks[i]));
-    for (const part of [this.#loads, this.#springs, this.#dampers]) {
+    for (const part of [this.#loads, this.#springs, this.#dampers, this.#friction]) {
       part.show(wrong, (i) => said(problems.filter((one) => placeOf(one).startsWith(`${part.name}[${i}]`))));
     }
   }

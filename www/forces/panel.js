@@ -78,7 +78,7 @@ export class Forces {
    * @param {Here} here
    * @param {Snapshot} snapshot
    */
-  #written({ reactions, drives, applied }, snapshot) {
+  #written({ reactions, drives, applied, shaking: [x, y, shakes], lost, efficiency }, snapshot) {
     const { words } = snapshot;
     const { numbers } = words;
     // What is zero by equilibrium is not written as the rounding error that it is.
@@ -107,6 +107,8 @@ export class Forces {
         </tbody>`)}
       </table>
       ${reactions.some(({ x, y, moment }) => [x, y, moment].includes(null)) ? html`<p>${words.text("forces.indeterminate", { sign: INDETERMINATE })}</p>` : nothing}
+      <p id="shaking">${words.text("forces.shaking", { force: measured(number(Math.hypot(x, y)), unitText("newton", words)), direction: Math.hypot(x, y) < least ? NONE : `${numbers.fixed(degrees(Math.atan2(y, x)), 1)}°`, moment: measured(number(shakes), unitText("newton_metre", words)) })}</p>
+      ${lost === null ? nothing : html`<p id="friction-loss">${words.text("forces.lost", { power: measured(numbers.short(lost), unitText("watt", words)) })} ${efficiency === null ? "" : words.text(efficiency > 0 ? "forces.efficiency" : "forces.no_return", { value: numbers.fixed(efficiency, 3) })}</p>`}
       ${words.unit === "" ? html`<p>${text("consistent")}</p>` : nothing}
       <details id="applied-forces" class="fold within">
         <summary>${text("applied")}</summary>

@@ -20,6 +20,13 @@ pub(crate) struct ForcesHere {
     reactions: Vec<ReactionHere>,
     drives: Vec<DriveHere>,
     applied: Vec<AppliedHere>,
+    /// Force with which the moving links shake the frame, x and y, and its moment about the origin.
+    shaking: [f64; 3],
+    /// Power that friction takes, W; none without friction.
+    lost: Option<f64>,
+    /// Efficiency of the first driver; none without friction, and if the driver does no work. Not positive: the loads cannot
+    /// drive the linkage back.
+    efficiency: Option<f64>,
 }
 
 /// Reaction of a pair on the link placed later; that on the other link is opposite.
@@ -62,10 +69,10 @@ pub(crate) struct DriveHere {
 pub(crate) struct AppliedHere {
     #[cfg_attr(
         test,
-        ts(type = "\"weight\" | \"inertia\" | \"load\" | \"spring\" | \"damper\"")
+        ts(type = "\"weight\" | \"inertia\" | \"load\" | \"spring\" | \"damper\" | \"friction\"")
     )]
     kind: &'static str,
-    /// Index of the load, spring or damper in its list.
+    /// Index of the load, spring, damper or friction in its list.
     index: Option<usize>,
     link: String,
     x: f64,
@@ -130,10 +137,16 @@ impl Moving {
                 couple: one.couple * units.torque(),
             }
         });
+        let (force, moment) = found.shaking(self.mechanism());
+        let force = force * units.force();
+        let rubs = !found.friction().is_empty();
         Ok(ForcesHere {
             reactions,
             drives,
             applied: applied.collect(),
+            shaking: [force.x, force.y, moment * units.torque()],
+            lost: rubs.then(|| found.loss() * units.torque()),
+            efficiency: found.efficiency(forces.rates[0]),
         })
     }
 
@@ -228,5 +241,6 @@ fn source(source: Source) -> (&'static str, Option<usize>) {
         Source::Load(index) => ("load", Some(index)),
         Source::Spring(index) => ("spring", Some(index)),
         Source::Damper(index) => ("damper", Some(index)),
+        Source::Friction(index) => ("friction", Some(index)),
     }
 }

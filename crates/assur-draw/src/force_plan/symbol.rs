@@ -12,6 +12,7 @@ use super::Numbers;
 /// | inertia of link 2 | Φ₂ | MΦ₂ |
 /// | first load | F₁ | M₁ |
 /// | first spring, damper | S₁, D₁ | MS₁, MD₁ |
+/// | friction, first in its list | Fᶠ₁ | Mᶠ₁ |
 /// | reaction from link 1 on link 2 | R₁₂ | M₁₂ |
 /// | balancing torque or force on link 1 | P₁ | T₁ |
 pub fn force_symbol(name: &ForceName, is_couple: bool, numbers: Numbers<'_>) -> String {
@@ -23,6 +24,7 @@ pub fn force_symbol(name: &ForceName, is_couple: bool, numbers: Numbers<'_>) -> 
         Cause::Applied(Source::Load(index)) => (letter("F", "M"), (index + 1).to_string()),
         Cause::Applied(Source::Spring(index)) => (letter("S", "MS"), (index + 1).to_string()),
         Cause::Applied(Source::Damper(index)) => (letter("D", "MD"), (index + 1).to_string()),
+        Cause::Applied(Source::Friction(index)) => (letter("Fᶠ", "Mᶠ"), (index + 1).to_string()),
         Cause::Reaction { from, .. } => {
             let from = numbers(from);
             let long = from.chars().count() > 1 || body.chars().count() > 1;

@@ -152,14 +152,14 @@ impl Kinetostatics {
                 steps,
             };
             let step = block.step;
-            builder.block().ok_or(Unbalanced { step })?;
+            builder.block().ok_or(Unbalanced::Singular { step })?;
             (steps, plan) = (builder.steps, builder.plan + 1);
         }
         let vectors = steps.iter().flat_map(|step: &PlanStep| &step.terms);
         let finite = |term: &Term| term.ends[1].x.is_finite() && term.ends[1].y.is_finite();
         match vectors.into_iter().all(finite) {
             true => Ok(ForcePlan { steps }),
-            false => Err(Unbalanced {
+            false => Err(Unbalanced::Singular {
                 step: self.blocks[0].step,
             }),
         }

@@ -1,7 +1,7 @@
 //! Shaking force and moment, and the counterweights that balance a four-bar statically.
 
 use super::applied::Source;
-use super::loading::BodyMass;
+use super::masses::BodyMass;
 use super::{Loading, Reactions};
 use crate::index::{BodyId, PointId};
 use crate::mechanism::{Joint, Mechanism, Pose};
