@@ -40,6 +40,12 @@ export type EndDocument = {
 /** Position of the point. */ at: PlaceDocument, };
 export type FormDocument = "planar" | "stepped" | "bevel";
 export type FormulaDocument = "log10" | "exp" | "sin" | { "power": number } | { "table": Array<[number, number]> };
+export type FrictionDocument = { 
+/** The point of the hinges. */ hinge?: string | null, 
+/** The link that slides. */ slide?: string | null, 
+/** Coefficient of friction. */ coefficient: number, 
+/** Radius of the pin of a hinge, in the unit of lengths. */ radius?: number | null, 
+/** Length of the block of a slide along the line, in the unit of lengths, if known. */ length?: number | null, };
 export type FunctionDocument = { 
 /** The function f. */ of: FormulaDocument, 
 /** Interval of x. */ x: [number, number], 
@@ -111,6 +117,7 @@ export type LinkageDocument = {
 /** Loads: forces, torques and resistances. */ loads?: Array<LoadDocument>, 
 /** Springs. */ springs?: Array<SpringDocument>, 
 /** Dampers. */ dampers?: Array<DamperDocument>, 
+/** Friction in hinges and slides; it counts in the reactions, not in the motion under load. */ friction?: Array<FrictionDocument>, 
 /** Motor of the first driver; without it the driver is free in a motion under load. */ motor?: MotorDocument | null, 
 /**
  * Moment of inertia of a flywheel on the crank of the first driver, kg·m², whatever the unit of lengths; without it

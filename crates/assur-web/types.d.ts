@@ -20,8 +20,8 @@ export type ActingHere = { symbol: string, couple: boolean,
 signs: Array<number> | null, };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
-export type AppliedHere = { kind: "weight" | "inertia" | "load" | "spring" | "damper", 
-/** Index of the load, spring or damper in its list. */ index: number | null, link: string, x: number, y: number, 
+export type AppliedHere = { kind: "weight" | "inertia" | "load" | "spring" | "damper" | "friction", 
+/** Index of the load, spring, damper or friction in its list. */ index: number | null, link: string, x: number, y: number, 
 /** Couple, positive counter-clockwise. */ couple: number, };
 export type AssembliesHere = { 
 /** Assemblies in ascending order of `angle`. */ all: Array<AssemblyHere>, 
@@ -145,7 +145,14 @@ export type ForceTermHere = { symbol: string, couple: boolean,
 /** Direction of the force from the x-axis, radians. */ direction: number, 
 /** Moment, or component along the line. */ value: number, 
 /** Arm of the force, in the unit of lengths; null if there is none. */ arm: number | null, };
-export type ForcesHere = { reactions: Array<ReactionHere>, drives: Array<DriveHere>, applied: Array<AppliedHere>, };
+export type ForcesHere = { reactions: Array<ReactionHere>, drives: Array<DriveHere>, applied: Array<AppliedHere>, 
+/** Force with which the moving links shake the frame, x and y, and its moment about the origin. */ shaking: [number, number, number], 
+/** Power that friction takes, W; none without friction. */ lost: number | null, 
+/**
+ * Efficiency of the first driver; none without friction, and if the driver does no work. Not positive: the loads cannot
+ * drive the linkage back.
+ */
+efficiency: number | null, };
 export type FoundHere = { name: string, rates: [number, number], };
 export type FoundSummary = { 
 /** Number of starting points. */ starts: number, 

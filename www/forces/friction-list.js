@@ -80,7 +80,7 @@ export class FrictionList {
   #card(document, one, i, fields, words) {
     const id = (/** @type {string} */ end) => `friction-${i}-${end}`;
     const now = () => list(linkageOf(this.#page))[i] ?? one;
-    const name = ({ hinge, slide }) => words.text(hinge ? "forces.friction.hinge" : "forces.friction.slide", { name: hinge ?? called(slide ?? "", words) });
+    const name = (/** @type {Place} */ { hinge, slide }) => words.text(hinge ? "forces.friction.hinge" : "forces.friction.slide", { name: hinge ?? called(slide ?? "", words) });
     const places = placesOf(document);
     const options = places.map((place) => /** @type {const} */ ([keyOf(place), name(place)]));
     const move = (/** @type {string} */ key) => {
@@ -107,7 +107,7 @@ function list(document) {
   return document.friction ?? [];
 }
 
-/** @typedef {Pick<Friction, "hinge" | "slide">} Place */
+/** @typedef {{ hinge?: string | null, slide?: string | null }} Place a hinge, or a sliding link */
 
 /**
  * @param {Document} document
