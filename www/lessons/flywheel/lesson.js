@@ -61,9 +61,13 @@ function home({ home: drawn }) {
 
 /**
  * @param {readonly (readonly [number, number, number])[]} diagram inputs, reduced moments of inertia and energies
- * @returns {number} the input between 0 and π at which the reduced moment of inertia is greatest
+ * @returns {number} the input between 0 and π at which the reduced moment of inertia is greatest: the vertex of the parabola through
+ * the greatest of the points and its neighbours
  */
 function heaviest(diagram) {
-  const half = diagram.filter(([input]) => input >= 0 && input <= Math.PI);
-  return half.reduce((most, point) => (point[1] > most[1] ? point : most))[0];
+  const half = diagram.filter(([input]) => input <= Math.PI);
+  const at = half.reduce((most, [, inertia], k) => (inertia > half[most][1] ? k : most), 0);
+  const [[from, left], [input, top], [to, right]] = [half[at - 1] ?? half[at], half[at], half[at + 1] ?? half[at]];
+  const bend = left - 2 * top + right;
+  return bend === 0 ? input : input + ((to - from) / 4) * (left - right) / bend;
 }
