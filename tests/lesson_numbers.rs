@@ -25,8 +25,8 @@ const WITH_NOTES: [&str; 7] = [
     "mobility",
     "differential",
     "synthesis",
-    "forces",
-    "flywheel",
+    "mixer-forces",
+    "run-up",
 ];
 const LESSON: Lesson = Lesson("class4-dwell");
 

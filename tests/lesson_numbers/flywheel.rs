@@ -9,13 +9,13 @@ use assur_tests::files::preset;
 
 use super::{LANGUAGES, Lesson};
 
-const LESSON: Lesson = Lesson("flywheel");
+const LESSON: Lesson = Lesson("run-up");
 
 /// Non-uniformity for which the lesson wants a flywheel.
 const WANTED: f64 = 0.05;
 
 fn document(name: &str) -> LinkageDocument {
-    serde_json::from_value(preset("flywheel", name).unwrap()).unwrap()
+    serde_json::from_value(preset("run-up", name).unwrap()).unwrap()
 }
 
 fn diagram(document: &LinkageDocument) -> Diagram {

@@ -10,7 +10,7 @@ use assur_tests::files::preset;
 
 use super::{LANGUAGES, Lesson};
 
-const LESSON: Lesson = Lesson("forces");
+const LESSON: Lesson = Lesson("mixer-forces");
 
 /// Angular velocity of the crank in the lesson, rad/s.
 const OMEGA: f64 = 6.0;
@@ -19,7 +19,7 @@ const OMEGA: f64 = 6.0;
 const STEPS: usize = 1440;
 
 fn document(name: &str) -> LinkageDocument {
-    serde_json::from_value(preset("forces", name).unwrap()).unwrap()
+    serde_json::from_value(preset("mixer-forces", name).unwrap()).unwrap()
 }
 
 struct Loaded {

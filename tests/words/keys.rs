@@ -2,7 +2,7 @@
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-pub(super) const BUILT: [(&str, &[&str]); 86] = [
+pub(super) const BUILT: [(&str, &[&str]); 88] = [
     ("under_load.motor.", &["www/under-load/fields.js"]),
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
@@ -34,12 +34,14 @@ pub(super) const BUILT: [(&str, &[&str]); 86] = [
     // Masses and loads: names of fields, of links and of forces.
     ("field.bars.", MASSES),
     ("field.dampers.", SPRINGS),
+    ("field.friction.", FRICTION),
     ("field.loads.", LOADS),
     ("field.masses.", MASSES),
     ("field.springs.", SPRINGS),
     ("field.terms.", LOADS),
     ("name.bars.", MASSES),
     ("name.dampers.", SPRINGS),
+    ("name.friction.", FRICTION),
     ("name.loads.", LOADS),
     ("name.masses.", MASSES),
     ("name.springs.", SPRINGS),
@@ -47,6 +49,7 @@ pub(super) const BUILT: [(&str, &[&str]); 86] = [
     (
         "forces.",
         &[
+            "www/forces/friction-list.js",
             "www/forces/load-list.js",
             "www/forces/loads.js",
             "www/forces/panel.js",
@@ -103,7 +106,13 @@ pub(super) const BUILT: [(&str, &[&str]); 86] = [
     ("transport.input.", MOVES),
     ("transport.scrubber.", MOVES),
     ("transport.true_time.", MOVES),
-    ("unit.", &["www/controls/lengths.js"]),
+    (
+        "unit.",
+        &[
+            "www/controls/lengths.js",
+            "www/lessons/mixer-forces/lesson.js",
+        ],
+    ),
     ("mesh.", &["www/kinds/mixer/rail.js"]),
     (
         "name.",
@@ -187,6 +196,7 @@ pub(super) const BUILT: [(&str, &[&str]); 86] = [
 const MASSES: &[&str] = &["www/forces/masses.js"];
 const LOADS: &[&str] = &["www/forces/load-list.js"];
 const SPRINGS: &[&str] = &["www/forces/spring-list.js"];
+const FRICTION: &[&str] = &["www/forces/friction-list.js"];
 const REACTIONS: &[&str] = &["crates/assur-web/src/reactions.rs"];
 
 /// Who says what the input is, an angle, a length or time, and what is plotted by it.

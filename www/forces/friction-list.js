@@ -88,11 +88,12 @@ export class FrictionList {
       if (place) this.#page.history.step(() => this.#put(i, { ...fresh(linkageOf(this.#page), place), coefficient: now().coefficient }));
     };
     const n = words.numbers.exact(i + 1);
-    const size = one.hinge ? /** @type {const} */ (["radius", "r"]) : /** @type {const} */ (["length", "l"]);
+    const number = (/** @type {"coefficient" | "radius" | "length"} */ of, /** @type {string} */ symbol, /** @type {import("assur/forces/fields.js").Unit} */ unit) =>
+      fields.number(`friction[${i}].${of}`, { symbol, unit, n }, () => now()[of] ?? 0, (value) => this.#put(i, { [of]: value }));
     const content = [
       fields.choice(id("place"), "forces.friction.place", options, () => keyOf(now()), move),
-      fields.number(`friction[${i}].coefficient`, { symbol: "f", unit: "none", n }, () => now().coefficient, (coefficient) => this.#put(i, { coefficient })),
-      fields.number(`friction[${i}].${size[0]}`, { symbol: size[1], unit: "length", n }, () => now()[size[0]] ?? 0, (value) => this.#put(i, { [size[0]]: value })),
+      number("coefficient", "f", "none"),
+      one.hinge ? number("radius", "r", "length") : number("length", "l", "length"),
     ];
     const remove = fields.button(id("remove"), "forces.remove", () => this.#page.history.step(() => putList(this.#page, "friction", (all) => all.filter((_, k) => k !== i))));
     return make("details", { id: `friction-${i}`, class: "fold within" }, [make("summary", {}, [`${i + 1}. ${name(one)}`]), ...content, make("p", { id: id("why"), class: "forces-why" }), remove]);

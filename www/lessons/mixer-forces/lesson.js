@@ -53,7 +53,11 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
   {
     id: "cases",
     formula: "P = T ω₁",
-    shows: ["a", "b", "c"].map((name) => ({ name, preset: name === "a" ? "loaded" : `loaded_${name}`, at: home, omega: OMEGA, overlays: ALL })),
+    shows: [
+      { name: "a", preset: "loaded", at: home, omega: OMEGA, overlays: ALL },
+      { name: "b", preset: "loaded_b", at: home, omega: OMEGA, overlays: ALL },
+      { name: "c", preset: "loaded_c", at: home, omega: OMEGA, overlays: ALL },
+    ],
     question: { choices: ["a", "b", "c"], answer: () => "c" },
   },
 ] });
