@@ -111,9 +111,8 @@ async fn the_lever_and_the_plan_give_the_same_torque() {
     page.click("force-tab-lever").await;
     page.settle().await;
     let script = "return ['lever', 'plan', 'difference'].map((way) => Number(document.querySelector(`[data-lever='${way}']`).dataset.value))";
-    let [lever, plan, difference] = page.numbers(script).await[..] else {
-        panic!("three numbers");
-    };
+    let [lever, plan, difference]: [f64; 3] =
+        serde_json::from_value(page.ask(script).await).unwrap();
     assert!((lever + 300.0).abs() < 1e-9, "{lever}");
     assert!((plan + 300.0).abs() < 1e-9, "{plan}");
     assert!(difference.abs() < 1e-9, "{difference}");
