@@ -24,8 +24,8 @@ pub(super) struct Shown {
     pub(super) couple: f64,
 }
 
-/// Draws a body with all forces and couples on it that are determined. The reaction of a slide is drawn at its arm if this is
-/// within the mechanism.
+/// Draws a body with all forces and couples on it that are determined. The reaction of a slide is drawn at the sliding point,
+/// with its couple.
 pub fn free_body_picture(
     mechanism: &Mechanism,
     pose: &Pose<3>,

@@ -24,7 +24,7 @@ const TRIALS: usize = 6;
 /// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
 const SHORTEST: f64 = 1e-12;
 
-/// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`Reduced`].
+/// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`super::Reduced`].
 ///
 /// The input is integrated by Gauss collocation with extrapolation. Works are integrated along, so their sum with the
 /// energies shows the error.
