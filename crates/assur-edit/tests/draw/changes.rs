@@ -353,13 +353,13 @@ fn what_is_driven_is_not_loose() {
 #[test]
 fn a_centre_of_mass_is_put_on_its_link() {
     let drawn = four_bar();
-    let name = drawn.links[1].name.clone();
-    let centre = |on| Edit::Centre {
-        link: name.clone(),
+    // A link called after its points has another name with one more point.
+    let centre = |of: &LinkageDocument, on| Edit::Centre {
+        link: of.links[1].name.clone(),
         on,
     };
-    let once = done(&drawn, &[centre([1.0, 0.5])]);
-    let twice = done(&once, &[centre([2.0, 0.0])]);
+    let once = done(&drawn, &[centre(&drawn, [1.0, 0.5])]);
+    let twice = done(&once, &[centre(&once, [2.0, 0.0])]);
     assert_eq!(once.points.len(), drawn.points.len() + 1);
     assert_eq!(twice.points.len(), once.points.len());
     // The link goes from (0, 1) to (3, 2.5).
