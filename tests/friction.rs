@@ -231,6 +231,16 @@ fn a_slider_locks_within_the_friction_angle() {
     assert_eq!(locked.map(drop), Err(Unbalanced::Locked));
 }
 
+/// Friction alone makes a document one with forces: it is read and checked where loads are.
+#[test]
+fn friction_alone_is_a_load() {
+    let mut document = from_catalogue("crank-rocker").unwrap().unwrap();
+    assert!(!document.is_loaded());
+    let friction = serde_json::json!([{ "hinge": "B", "coefficient": 0.1, "radius": 0.1 }]);
+    document.friction = serde_json::from_value(friction).unwrap();
+    assert!(document.is_loaded());
+}
+
 /// Friction at rest is undetermined and taken as zero.
 #[test]
 fn nothing_rubs_at_rest() {

@@ -214,9 +214,12 @@ async fn the_gallery_goes_by_keys() {
     page.keys(Key::Down + "").await;
     assert_eq!(focused().await, "gallery-lesson-mobility");
     page.keys(Key::Down + "").await;
+    assert_eq!(focused().await, "gallery-lesson-mixer-forces");
+    page.keys(Key::Down + "").await;
     assert_eq!(focused().await, "gallery-crank-rocker");
     page.keys(Key::Down + "").await;
     assert_eq!(focused().await, "gallery-antiparallelogram");
+    page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;
     page.keys(Key::Up + "").await;

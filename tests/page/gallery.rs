@@ -186,7 +186,8 @@ async fn a_mechanism_opens_by_keys_and_is_undone() {
         focused.starts_with("gallery-lesson")
     })
     .await;
-    // Past the two rows of lessons is the first mechanism.
+    // Past the three rows of lessons is the first mechanism.
+    page.keys(Key::Down + "").await;
     page.keys(Key::Down + "").await;
     page.keys(Key::Down + "").await;
     page.keys(Key::Enter + "").await;

@@ -254,8 +254,18 @@ async fn mixer() {
 }
 
 #[tokio::test]
+async fn mixer_forces() {
+    walk("mixer-forces", 1).await;
+}
+
+#[tokio::test]
 async fn mobility() {
     walk("mobility", 3).await;
+}
+
+#[tokio::test]
+async fn run_up() {
+    walk("run-up", 0).await;
 }
 
 #[tokio::test]
@@ -272,7 +282,9 @@ fn all_are_walked() {
         "class4-dwell",
         "differential",
         "mixer",
+        "mixer-forces",
         "mobility",
+        "run-up",
         "synthesis",
     ];
     assert_eq!(ids, here);

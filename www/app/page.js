@@ -244,8 +244,12 @@ export class Page {
    * @returns {Promise<T>} the part, once the words are there
    */
   async withWords(path, part) {
-    const [words, loaded] = await Promise.all([Words.extended(path, this.words.lang), part]);
-    if (words.lang === this.words.lang) this.#applyWords(words);
+    const loaded = await part;
+    let words;
+    // Another language may have been chosen during the load.
+    do words = await Words.extended(path, this.words.lang);
+    while (words.lang !== this.words.lang);
+    this.#applyWords(words);
     return loaded;
   }
 

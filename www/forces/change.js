@@ -56,11 +56,16 @@ export function without(value) {
  * @param {Page} page
  * @param {import("assur/types/edit.js").Edit} wanted
  * @param {string} field that shows the reason for a refusal
+ * @returns {boolean} whether the edit was made
  */
 export function reshape({ engine, store, model, drafts }, wanted, field) {
   model.follow(store.get());
   const { value: drawn, problems } = attempt(() => engine.simulator.edit(wanted, model.home));
-  if (!drawn) return drafts.keep(field, problems);
+  if (!drawn) {
+    drafts.keep(field, problems);
+    return false;
+  }
   drafts.drop(field);
   store.update((state) => withMechanism(state, drawn.kind, drawn.document));
+  return true;
 }

@@ -53,6 +53,10 @@ export class LoadFold {
     for (const list of ["masses", "bars"]) numberEntries(list, (index) => called(linkageOf(page).links[index]?.name ?? "", page.words));
     numberEntries("terms", (index) => String(Math.floor(index / TERMS) + 1));
     words.fill(this.#fold);
+    this.#fold.addEventListener("focusout", () => {
+      this.#shown = new Seen();
+      page.redraw();
+    });
   }
 
   /** @param {Snapshot} snapshot */
@@ -68,7 +72,8 @@ export class LoadFold {
     if (this.#shown.same(document, summary, words, problems.map((one) => JSON.stringify(one)).join())) return;
     const parts = [this.#masses, this.#loads, this.#springs, this.#dampers, this.#friction];
     const shape = JSON.stringify([document.links.map(({ name, points }) => [name, points]), document.tracers?.map(({ name, link }) => [name, link]), ...parts.map((part) => part.shape(document))]);
-    if (!this.#built.same(words, shape)) for (const part of parts) part.build(document, words);
+    // What one types into stays in its place: the fold is built again when the field is left.
+    if (!this.#isTyping() && !this.#built.same(words, shape)) for (const part of parts) part.build(document, words);
     const said = (/** @type {readonly Problem[]} */ own) => own.map((problem) => sentence(problem, words, document)).join(" ");
     const ofLinks = document.links.map(({ name }, i) => problems.filter(({ link, code, field }) => (link === name && code in OF_MASSES) || field?.startsWith(`masses[${i}]`)));
     ofLinks.forEach((own, i) => own.forEach(({ code }) => wrong.add(`masses[${i}].${OF_MASSES[code]}`)));
@@ -76,6 +81,11 @@ export class LoadFold {
     for (const part of [this.#loads, this.#springs, this.#dampers, this.#friction]) {
       part.show(wrong, (i) => said(problems.filter((one) => placeOf(one).startsWith(`${part.name}[${i}]`))));
     }
+  }
+
+  #isTyping() {
+    const at = document.activeElement;
+    return at instanceof HTMLInputElement && at.type !== "checkbox" && this.#fold.contains(at);
   }
 
   /** Makes the mechanism a linkage, whose links may have masses. An edit that moves nothing does so. */

@@ -52,9 +52,9 @@ export class Masses {
       const centre = (/** @type {0 | 1} */ axis) => fields.number(own(axis === 0 ? "along" : "across"), { symbol: axis === 0 ? "x_S" : "y_S", unit: "length", n }, () => of(i).centre[axis], (value) => {
         const { centre, inertia, given } = of(i);
         const on = /** @type {[number, number]} */ (centre.with(axis, value));
-        reshape(this.#page, { edit: "centre", link: name, on }, own(axis === 0 ? "along" : "across"));
+        const made = reshape(this.#page, { edit: "centre", link: linkageOf(this.#page).links[i]?.name ?? name, on }, own(axis === 0 ? "along" : "across"));
         // With a centre of mass the document has no bar whose moment of inertia would be known: that of the bar is kept.
-        if (!given && inertia > 0) putLink(this.#page, i, { inertia });
+        if (made && !given && inertia > 0) putLink(this.#page, i, { inertia });
       });
       const rows = [
         fields.number(own("mass"), { symbol: "m", unit: "kg", n }, () => linkageOf(this.#page).links[i]?.mass_kg ?? 0, (value) => putLink(this.#page, i, { mass_kg: value })),

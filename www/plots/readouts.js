@@ -42,7 +42,7 @@ export class ReadoutTable {
     if (!numbersDue) return;
     const heads = headsOf(snapshot);
     const rows = [inputRow(snapshot), ...summary.listed.flatMap((listed) => quantityRows(listed, snapshot))];
-    render(html`<tr><td></td>${heads.cells.map(({ text }) => html`<th scope="col">${text}</th>`)}</tr>`, this.#table.createTHead());
+    render(html`<tr><td></td>${heads.cells.map(({ text }) => (text === "" ? html`<td></td>` : html`<th scope="col">${text}</th>`))}</tr>`, this.#table.createTHead());
     render(rows.map(tableRow), this.#table.tBodies[0]);
     this.#shown.put("values", [heads, ...rows]);
   }

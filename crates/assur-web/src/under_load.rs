@@ -114,6 +114,9 @@ impl Moving {
         let motor: Option<&Motor> = document.motor.as_ref().map(|_| &motor);
         let unit = forces.units.torque();
         let mut diagram = Diagram::new(self.motion(), loading, motor, rate).map_err(none)?;
+        if !loading.bears_flywheel() {
+            return Err(one(LinkageProblem::FlywheelNoCrank));
+        }
         let found = diagram.wittenbauer(non_uniformity);
         let found = found.zip(diagram.mertsalov(non_uniformity));
         let max = MAX_NON_UNIFORMITY;
@@ -138,7 +141,9 @@ impl Moving {
         Ok(CycleHere {
             rate: diagram.rate(),
             torque: diagram.torque() * unit,
-            diagram: points.iter().step_by(every).map(point).collect(),
+            diagram: (points.iter().step_by(every).chain(points.last()))
+                .map(point)
+                .collect(),
             given: with(loading.flywheel()),
             wittenbauer: with(wittenbauer.flywheel),
             slopes: wittenbauer.slopes,

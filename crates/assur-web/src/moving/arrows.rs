@@ -54,7 +54,15 @@ impl Moving {
             let parts = force.into_iter().chain(moment);
             arrows.extend(parts.map(|acting| ForceArrow { role, at, acting }));
         }
+        let mut is_opposite = false;
         for one in found.applied() {
+            if matches!(one.source, Source::Friction(_)) {
+                // Friction comes in opposite pairs; like a reaction, it is drawn on one of the two links.
+                is_opposite = !is_opposite;
+                if !is_opposite {
+                    continue;
+                }
+            }
             let role = match one.source {
                 Source::Weight => Role::Weight,
                 Source::Inertia => Role::Inertia,

@@ -54,8 +54,9 @@ struct Sliding {
     start: usize,
     /// Bodies of the pair; for a slide the one with the sliding point comes first.
     bodies: [BodyId; 2],
-    /// Sliding point, from the origin of the coordinates, and direction of the line; zero for a hinge.
+    /// Hinge or sliding point, from the origin of the coordinates.
     at: Vector,
+    /// Direction of the line; zero for a hinge.
     along: Vector,
     /// Speed of the first body relative to the second: rad/s, or length/s along the line.
     speed: f64,
@@ -66,11 +67,11 @@ impl Sliding {
     fn new(forces: &Kinetostatics, of: Friction, state: &State<3>, rate: f64) -> Option<Self> {
         let (start, pair) = forces.held(of.pair);
         let sliding = match pair.kind {
-            Kind::Hinge(..) => Self {
+            Kind::Hinge(at, _) => Self {
                 of,
                 start,
                 bodies: pair.bodies,
-                at: Vector::zeros(),
+                at: state.place(at)[0],
                 along: Vector::zeros(),
                 speed: relative(state, pair.bodies)[1] * rate,
             },
@@ -264,15 +265,23 @@ impl Reactions {
         self.friction.iter().map(|one| one.loss).sum()
     }
 
-    /// Efficiency of the first driver: the torque without friction over that with friction if the driver drives, the
-    /// reciprocal if it is driven back. Zero or negative: the loads cannot drive the mechanism back, it is self-locking.
-    /// None without friction, and if the driver does no work without it.
+    /// Efficiency of the driver: the torque without friction over that with friction if the driver drives, the reciprocal if
+    /// it is driven back. Zero or negative: what drives it back, loads or inertia, cannot move it at this moment. None without
+    /// friction, with several drivers, and if the work of the driver is negligible beside that of friction.
     pub fn efficiency(&self, rate: f64) -> Option<f64> {
-        let (bare, drive) = (*self.bare.first()?, self.first_component()?);
-        if bare * rate > 0.0 {
-            Some(bare / drive)
-        } else {
-            (bare != 0.0).then_some(drive / bare)
+        let &[bare] = &self.bare[..] else {
+            return None;
+        };
+        let drive = self.first_component()?;
+        // Power of friction as that of a drive of the same unit.
+        let taken = (drive - bare).abs();
+        if bare.abs() <= tolerance::COINCIDENT * taken {
+            return None;
         }
+        Some(if bare * rate > 0.0 {
+            bare / drive
+        } else {
+            drive / bare
+        })
     }
 }

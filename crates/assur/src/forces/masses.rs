@@ -2,6 +2,7 @@
 
 use crate::Vector;
 use crate::index::{BodyId, LinkId};
+use crate::linkage::FRAME;
 use crate::mechanism::{DriverSpec, Mechanism};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,10 +104,13 @@ fn mass_of_link(mechanism: &Mechanism, body: BodyId, link: LinkId) -> BodyMass {
     }
 }
 
-/// The crank of the first driver.
+/// The crank of the first driver, if it turns about a hinge of the frame. Only there does a flywheel have a constant reduced
+/// moment of inertia.
 pub(super) fn crank(mechanism: &Mechanism) -> Option<BodyId> {
     match mechanism.spec().drivers.first()? {
-        DriverSpec::Crank { link, .. } => Some(mechanism.body_of(Some(mechanism.link(link)?))),
-        DriverSpec::Slide { .. } => None,
+        DriverSpec::Crank { link, base, .. } if base == FRAME => {
+            Some(mechanism.body_of(Some(mechanism.link(link)?)))
+        }
+        _ => None,
     }
 }

@@ -57,10 +57,11 @@ impl LinkageDocument {
         ForceUnits::of(self.unit.unwrap_or(LengthUnit::None))
     }
 
-    /// Whether anything acts on the linkage besides the inertia of its links: gravity, loads, springs, dampers, a
-    /// motor or a flywheel.
+    /// Whether anything acts on the linkage besides the inertia of its links: gravity, loads, springs, dampers, friction,
+    /// a motor or a flywheel.
     pub fn is_loaded(&self) -> bool {
         let is_free = self.loads.is_empty() && self.springs.is_empty() && self.dampers.is_empty();
+        let is_free = is_free && self.friction.is_empty();
         let is_given = self.gravity.is_some() || self.motor.is_some() || self.flywheel.is_some();
         is_given || !is_free
     }
@@ -68,7 +69,7 @@ impl LinkageDocument {
     /// The loading of the document's mechanism.
     ///
     /// # Errors
-    /// Every defect of gravity, loads, springs and dampers.
+    /// Every defect of gravity, loads, springs, dampers, friction and flywheel.
     pub fn loading(&self, mechanism: &Mechanism) -> Result<Loading, Vec<LinkageProblem>> {
         let spec = self.loading_spec(mechanism.turns())?;
         let loading = Loading::new(mechanism, &spec);

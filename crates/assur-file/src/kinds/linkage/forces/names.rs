@@ -1,8 +1,10 @@
 //! Names of links and points in saved forces, for edits that rename or remove them.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use assur::linkage::FRAME;
 
-use super::AnchorDocument;
+use super::{AnchorDocument, FrictionDocument};
 use crate::kinds::linkage::LinkageDocument;
 
 impl LinkageDocument {
@@ -54,15 +56,43 @@ impl LinkageDocument {
 
     /// Removes friction at points that are no hinges, and of links that do not slide.
     pub fn remove_idle_friction(&mut self) {
-        let (links, slides, frame) = (&self.links, &self.slides, &self.frame);
+        // Links that are fixed to each other are one body, called by the one to which all are fixed.
+        let bodies: BTreeMap<&str, &str> = (self.links.iter())
+            .map(|link| (link.name.as_str(), self.body_called(&link.name)))
+            .collect();
+        let body = |name: &str| bodies.get(name).copied();
         let is_hinge = |point: &String| {
-            let on_links = links.iter().filter(|link| link.points.contains(point));
-            on_links.count() + usize::from(frame.contains(point)) > 1
+            let links = self.links.iter().filter(|link| link.points.contains(point));
+            let on: BTreeSet<Option<&str>> = links.map(|link| body(&link.name)).collect();
+            on.len() + usize::from(self.frame.contains(point)) > 1
         };
-        self.friction.retain(|friction| {
-            friction.hinge.iter().all(is_hinge)
-                && (friction.slide.iter()).all(|name| slides.iter().any(|one| one.link == *name))
-        });
+        let slides = |name: &String| {
+            let own = body(name);
+            own.is_some() && self.slides.iter().any(|slide| body(&slide.link) == own)
+        };
+        let fits = |friction: &FrictionDocument| {
+            friction.hinge.iter().all(is_hinge) && friction.slide.iter().all(slides)
+        };
+        let kept: Vec<FrictionDocument> = self
+            .friction
+            .iter()
+            .filter(|one| fits(one))
+            .cloned()
+            .collect();
+        self.friction = kept;
+    }
+
+    /// The link to which a link is fixed, directly or through others.
+    fn body_called<'a>(&'a self, name: &'a str) -> &'a str {
+        let mut at = name;
+        for _ in &self.links {
+            let of = self.links.iter().find(|link| link.name == at);
+            match of.and_then(|link| link.fixed_to.as_deref()) {
+                Some(to) => at = to,
+                None => break,
+            }
+        }
+        at
     }
 
     /// Removes loads, springs and dampers on links or points that are gone.
