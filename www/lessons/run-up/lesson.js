@@ -10,7 +10,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "reduced",
     formula: "J_r = Σ(m C′² + J φ′²)",
     shows: [PRESS],
-    question: { unit: "°", within: 3, answer: ({ steady }) => steady ? degrees(heaviest(steady.diagram)) : undefined },
+    question: { unit: "°", within: 2, answer: ({ steady }) => steady ? degrees(heaviest(steady.diagram)) : undefined },
   },
   {
     id: "energy",
