@@ -21,14 +21,12 @@ pub(crate) async fn tab_to(page: &Page, id: &str) {
     tab_until(page, &format!("[id=\"{id}\"]")).await;
 }
 
-/// Presses Tab until an element of a selector has the focus, with Shift if that is back. Turns where Tab leads out of the
-/// page, as in Firefox beyond its last element. Returns the id of the element.
+/// Presses Tab until an element of a selector has the focus, with Shift while that is back: beyond the last element Tab
+/// leads out of the page. Returns the id of the element.
 pub(crate) async fn tab_until(page: &Page, selector: &str) -> String {
     let before = format!(
         "return Boolean(document.activeElement.compareDocumentPosition(document.querySelector('{selector}')) & Node.DOCUMENT_POSITION_PRECEDING)"
     );
-    let mut back = page.ask(&before).await == json!(true);
-    let outside = "return document.activeElement === document.body";
     let there = format!(
         "const at = document.activeElement;
         return (at.matches('summary') && !at.id ? at.parentElement : at).matches('{selector}')"
@@ -37,13 +35,10 @@ pub(crate) async fn tab_until(page: &Page, selector: &str) -> String {
         if page.ask(&there).await == json!(true) {
             return focused(page).await;
         }
-        if back {
+        if page.ask(&before).await == json!(true) {
             page.chord(&[Key::Shift], Key::Tab).await;
         } else {
             page.keys(Key::Tab + "").await;
-        }
-        if page.ask(outside).await == json!(true) {
-            back = !back;
         }
     }
     panic!("no press of Tab leads to {selector}");
