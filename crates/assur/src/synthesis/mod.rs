@@ -1,4 +1,5 @@
 //! Dimensional synthesis: dimensions of a mechanism for a wanted motion.
 
+pub mod cognates;
 pub mod dwell;
 pub mod four_bar;
