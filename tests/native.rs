@@ -4,6 +4,7 @@ mod allocations;
 mod any_drawing;
 mod benchmarks;
 mod class4;
+mod cognates;
 mod differential;
 mod dimensions;
 mod drawings;

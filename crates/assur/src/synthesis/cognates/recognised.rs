@@ -50,7 +50,7 @@ impl<'a> Carrier<'a> {
         let spec = mechanism.spec();
         let traced = spec.tracers.iter().find(|tracer| tracer.name == point);
         let link = match traced {
-            Some(tracer) => spec.link(&tracer.link)?,
+            Some(tracer) => spec.links.iter().find(|link| link.name == tracer.link)?,
             None => {
                 let mut having = spec.links.iter().filter(|link| has(link, point));
                 let only = having.next()?;

@@ -1,7 +1,7 @@
 use super::*;
-use crate::perpendicular;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
+use crate::perpendicular;
 
 fn point(x: f64, y: f64) -> Point {
     Point::new(x, y)
