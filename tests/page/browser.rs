@@ -1,8 +1,8 @@
 //! A browser of our own with the page open, and a person's hands.
 
+use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
-use std::{env, fs};
 
 use serde_json::{Value, json};
 use thirtyfour::action_chain::ActionChain;
@@ -14,6 +14,9 @@ use crate::host::home;
 use crate::picture::Picture;
 use line::Line;
 use pool::{Profile, Window};
+pub(crate) use setting::{in_firefox, lacking, setting};
+pub(crate) use text::plain;
+use text::spaced;
 
 #[path = "browser/chromium.rs"]
 mod chromium;
@@ -25,6 +28,10 @@ mod hand;
 mod line;
 #[path = "browser/pool.rs"]
 mod pool;
+#[path = "browser/setting.rs"]
+mod setting;
+#[path = "browser/text.rs"]
+mod text;
 
 /// How long a person would wait for something to happen.
 const PATIENCE: Duration = Duration::from_secs(20);
@@ -39,24 +46,6 @@ const MOVE: Duration = Duration::from_millis(16);
 pub(crate) struct Page {
     pub(crate) driver: WebDriver,
     window: Window,
-}
-
-/// Whether the pages are opened in Firefox: `ASSUR_BROWSER` says so.
-pub(crate) fn in_firefox() -> bool {
-    env::var("ASSUR_BROWSER").is_ok_and(|browser| browser == "firefox")
-}
-
-/// Whether a test can only be asked of Chromium, which it is not in; the reason is printed.
-pub(crate) fn lacking(what: &str) -> bool {
-    if in_firefox() {
-        println!("not asked of Firefox, which lacks {what}");
-    }
-    in_firefox()
-}
-
-/// An environment variable that `cargo xtask test` sets.
-pub(crate) fn setting(name: &str) -> String {
-    env::var(name).unwrap_or_else(|_| panic!("{name} is not set: run `cargo xtask test`"))
 }
 
 impl Page {
@@ -404,23 +393,5 @@ impl Page {
             self.click("play").await;
         }
         self.write("angle", degrees).await;
-    }
-}
-
-/// A text with plain spaces for those at which no line breaks, as drivers tell the text of an element.
-pub(crate) fn plain(text: &str) -> String {
-    text.replace('\u{a0}', " ")
-}
-
-/// A value whose texts have plain spaces.
-fn spaced(value: Value) -> Value {
-    match value {
-        Value::String(text) => plain(&text).into(),
-        Value::Array(all) => all.into_iter().map(spaced).collect(),
-        Value::Object(all) => {
-            let all = all.into_iter().map(|(name, one)| (name, spaced(one)));
-            all.collect()
-        }
-        other => other,
     }
 }

@@ -68,6 +68,7 @@ mod print;
 mod random_user;
 mod readme;
 mod share;
+mod sharpness;
 mod slide;
 mod steps;
 mod synthesis;

@@ -2,6 +2,7 @@
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { marked, withSubscripts, writeSubscripted } from "assur/core/subscripts.js";
+import { answerFields, NO_FIELDS } from "assur/lesson/answer-fields.js";
 import { OwnMechanism } from "assur/lesson/own.js";
 import { Paper } from "assur/lesson/paper.js";
 import { Progress } from "assur/lesson/progress.js";
@@ -64,8 +65,7 @@ export class LessonPanel {
   #turned = false;
   /** Id of the step whose mechanism is followed. */
   #begun = "";
-  /** @type {readonly ((given: string) => void)[]} functions that write a given answer into the fields, one for each field */
-  #fills = [];
+  #given = NO_FIELDS;
 
   #back = make("button", { id: "lesson-back", class: "control icon", type: "button", onclick: () => this.#go(-1) }, ["‹"]);
   #on = make("button", { id: "lesson-on", class: "control icon", type: "button", onclick: () => this.#go(1) }, ["›"]);
@@ -134,7 +134,7 @@ export class LessonPanel {
     this.#judged.clear();
     this.#begun = "";
     this.#begin(this.#step);
-    this.#fill();
+    this.#given.fill(this.#progress.given(this.#step.id));
     this.#withhold();
     this.#count();
     this.#said.dataset.verdict = "past";
@@ -291,8 +291,9 @@ export class LessonPanel {
     this.#form.hidden = !question;
     this.#check.hidden = !question || question.reached !== undefined;
     writeSubscripted(this.#legend, question?.text ?? "");
-    this.#fields.replaceChildren(...(question ? this.#inputs(question) : []));
-    this.#fill();
+    this.#given = question ? answerFields(question, (given) => this.#give(step.id, given)) : NO_FIELDS;
+    this.#fields.replaceChildren(...this.#given.elements);
+    this.#given.fill(this.#progress.given(step.id));
     write(this.#check, words.text("lesson.check"));
     write(this.#reveal, words.text("lesson.reveal"));
     this.#tools.show(step.tools, () => this.#page.store.get().document);
@@ -323,39 +324,14 @@ export class LessonPanel {
   }
 
   /**
-   * @param {Question} question
-   * @returns {HTMLElement[]} fields for the answer
+   * Keeps an answer given by hand; it is not judged yet.
+   * @param {string} id of its step
+   * @param {string} given
    */
-  #inputs({ options, unit, reached }) {
-    this.#fills = [];
-    if (reached) return [];
-    const step = this.#step;
-    const note = (/** @type {HTMLInputElement} */ input) => {
-      this.#progress.give(step.id, input.value);
-      this.#judged.delete(step.id);
-      this.#say();
-    };
-    if (!options) {
-      const input = make("input", {
-        id: "lesson-answer", class: "control number", type: "text", inputmode: "decimal", spellcheck: "false",
-        "aria-labelledby": "lesson-question", "aria-describedby": "lesson-said",
-      });
-      input.addEventListener("input", () => note(input));
-      this.#fills = [(given) => (input.value = given)];
-      return [make("div", { class: "lesson-answer" }, [input, unit])];
-    }
-    return options.map(({ value, text }) => {
-      const input = make("input", { id: `lesson-${value}`, type: "radio", name: "lesson-choice", value });
-      input.addEventListener("change", () => note(input));
-      this.#fills = [...this.#fills, (given) => (input.checked = value === given)];
-      return make("label", { class: "choice" }, [input, make("span", {}, marked(text))]);
-    });
-  }
-
-  /** Writes the given answer into its fields. */
-  #fill() {
-    const given = this.#progress.given(this.#step.id);
-    for (const fill of this.#fills) fill(given);
+  #give(id, given) {
+    this.#progress.give(id, given);
+    this.#judged.delete(id);
+    this.#say();
   }
 
   #answer() {

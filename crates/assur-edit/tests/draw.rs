@@ -1,6 +1,7 @@
 //! Linkages drawn from nothing, and what is refused.
 
 mod changes;
+mod masses;
 
 use assur::mechanism::{Defect, Mechanism};
 use assur::motion::Motion;

@@ -1,6 +1,5 @@
-//! How fast the engine is, natively and in the browser, beside a yardstick of the
-//! same run: printed by `cargo xtask bench`, never asserted. Every line reads
-//! `speed: NAME = NANOSECONDS`.
+//! Speed of the engine, natively and in the browser, beside a yardstick of the same run: printed by `cargo xtask bench`,
+//! never asserted. Each line reads `speed: NAME = NANOSECONDS`.
 #![allow(
     clippy::unwrap_used,
     clippy::panic,
