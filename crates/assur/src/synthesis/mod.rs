@@ -1,5 +1,6 @@
 //! Dimensional synthesis: dimensions of a mechanism for a wanted motion.
 
+pub mod approximation;
 pub mod cognates;
 pub mod dwell;
 pub mod four_bar;

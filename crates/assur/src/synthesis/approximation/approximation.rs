@@ -1,0 +1,217 @@
+//! A linkage that approximates a path, in the units of the path.
+
+use nalgebra::Complex;
+
+use super::curve::{Kind, cross};
+use super::distance::{Deviation, part};
+use super::fitted::Fitted;
+use super::target::Target;
+use crate::linkage::LinkageSpec;
+use crate::numeric::angle::nearest_to;
+use crate::synthesis::cognates::{CouplerFourBar, CouplerSliderCrank};
+use crate::synthesis::four_bar::{Frame, Order, Position, Solution, Task, Verdict};
+use crate::{Point, Vector};
+
+/// A four-bar or a slider-crank with the point that traces the path, in the pose at a place of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tracing {
+    /// A four-bar.
+    FourBar(CouplerFourBar),
+    /// A slider-crank.
+    SliderCrank(CouplerSliderCrank),
+}
+
+/// Properties of a linkage that approximates a path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PathVerdict {
+    /// The verdict on a four-bar, for at most 24 places of the path.
+    FourBar(Verdict),
+    /// The verdict on a slider-crank, whose crank turns fully.
+    SliderCrank {
+        /// Order in which the places of the path are met.
+        order: Order,
+        /// Minimum angle between the rod and the normal of the guide's normal: 90° if the rod lies along the guide.
+        transmission: f64,
+        /// Ratio of the longer of crank and rod to the shorter.
+        size_ratio: f64,
+    },
+}
+
+/// A linkage that approximates a path.
+#[derive(Clone, Debug)]
+pub struct Approximation {
+    /// The linkage.
+    pub linkage: Tracing,
+    /// Its distances from the path.
+    pub deviation: Deviation,
+    /// Order, circuit, branch, Grashof type and transmission; None if the places of the path are met at equal angles.
+    pub verdict: Option<PathVerdict>,
+    /// Angles of the crank from the x-axis at the compared places of the path, continuous.
+    pub inputs: Vec<f64>,
+    fitted: Fitted,
+    part: [f64; 2],
+    places: Places,
+}
+
+/// From the plane of the search to that of the path.
+#[derive(Clone, Copy, Debug)]
+struct Places {
+    centre: Vector,
+    size: f64,
+}
+
+impl Places {
+    fn of(&self, z: Complex<f64>) -> Point {
+        Point::from(self.centre + Vector::new(z.re, z.im) * self.size)
+    }
+}
+
+/// Number of places of the path that the verdict considers.
+const JUDGED: usize = 24;
+/// Sine of the transmission angle from which a pose can be drawn without doubt about its assembly.
+const CLEAR: f64 = 0.2;
+
+impl Approximation {
+    /// None if rounding leaves no linkage.
+    pub(super) fn new(fitted: &Fitted, deviation: Deviation, target: &Target) -> Option<Self> {
+        let places = Places {
+            centre: target.place(Complex::new(0.0, 0.0)).coords,
+            size: target.size(),
+        };
+        let joints = |tau: f64| joints(fitted, tau).map(|z| places.of(z));
+        let drawn = drawn(fitted);
+        let [a0, a, b, end, point] = joints(drawn);
+        let linkage = match fitted.kind {
+            Kind::FourBar => Tracing::FourBar(CouplerFourBar::new([a0, end], [a, b], point).ok()?),
+            Kind::SliderCrank => {
+                Tracing::SliderCrank(CouplerSliderCrank::new(a0, [a, b], end - b, point).ok()?)
+            }
+        };
+        let bars: Vec<[Vector; 2]> = (fitted.feet.iter())
+            .map(|tau| {
+                let [a0, a, b, end, _] = joints(*tau);
+                [a - a0, end - b]
+            })
+            .collect();
+        let mut inputs: Vec<f64> = Vec::with_capacity(bars.len());
+        for [crank, _] in &bars {
+            let angle = crank.y.atan2(crank.x);
+            let near = inputs.last().copied().unwrap_or(angle);
+            inputs.push(nearest_to(angle, near));
+        }
+        Some(Self {
+            linkage,
+            deviation: deviation.times(target.size()),
+            verdict: verdict(&linkage, fitted, &bars, &inputs),
+            inputs,
+            fitted: fitted.clone(),
+            part: part(fitted, target),
+            places,
+        })
+    }
+
+    /// Specification of the linkage as a mechanism; its traced point is P.
+    pub fn spec(&self) -> LinkageSpec {
+        match &self.linkage {
+            Tracing::FourBar(linkage) => linkage.spec(),
+            Tracing::SliderCrank(linkage) => linkage.spec(),
+        }
+    }
+
+    /// Places of the curve at equal intervals of the motion: of the whole curve, whose end is its beginning.
+    pub fn curve(&self, count: usize) -> Vec<Point> {
+        self.traced([0.0, std::f64::consts::TAU], count)
+    }
+
+    /// Places at equal intervals of the part of the motion that traces the path.
+    pub fn traced_part(&self, count: usize) -> Vec<Point> {
+        self.traced(self.part, count)
+    }
+
+    fn traced(&self, [from, to]: [f64; 2], count: usize) -> Vec<Point> {
+        let step = (to - from) / (count.max(2) - 1) as f64;
+        let tau = |k: usize| from + step * k as f64;
+        (0..count)
+            .map(|k| self.places.of(self.fitted.point(tau(k))))
+            .collect()
+    }
+}
+
+/// A₀, A, B, then B₀ or a place of the guide ahead of B, and P.
+fn joints(fitted: &Fitted, tau: f64) -> [Complex<f64>; 5] {
+    let pose = fitted.curve.place(tau);
+    let b = pose.a + pose.b;
+    let end = match fitted.kind {
+        Kind::FourBar => Complex::new(fitted.curve.sizes[2], 0.0),
+        Kind::SliderCrank => b + 1.0,
+    };
+    let point = fitted.curve.point(&pose);
+    [Complex::new(0.0, 0.0), pose.a, b, end, point].map(|z| fitted.laid(z))
+}
+
+/// The parameter at which the linkage is drawn: the first foot, or the one with the best transmission if the first is
+/// near a dead point.
+fn drawn(fitted: &Fitted) -> f64 {
+    let clear = |tau: &f64| {
+        let pose = fitted.curve.place(*tau);
+        let output = match fitted.kind {
+            Kind::FourBar => pose.a + pose.b - fitted.curve.sizes[2],
+            Kind::SliderCrank => Complex::new(0.0, 1.0),
+        };
+        cross(pose.b, output).abs() / (pose.b.norm() * output.norm())
+    };
+    let feet = &fitted.feet;
+    let first = feet.first().filter(|tau| clear(tau) > CLEAR);
+    let best = || feet.iter().max_by(|a, b| clear(a).total_cmp(&clear(b)));
+    first.or_else(best).copied().unwrap_or(0.0)
+}
+
+fn verdict(
+    linkage: &Tracing,
+    fitted: &Fitted,
+    bars: &[[Vector; 2]],
+    inputs: &[f64],
+) -> Option<PathVerdict> {
+    match linkage {
+        Tracing::FourBar(linkage) => {
+            let count = bars.len().min(JUDGED);
+            let chosen = (0..count).map(|k| k * (bars.len() - 1) / (count.max(2) - 1));
+            let mut positions: Vec<Position> = Vec::new();
+            for k in chosen {
+                let output = bars[k][1];
+                let position = Position::new(output.y.atan2(output.x), inputs[k]);
+                // Corners of the path share a foot.
+                let same = |last: &Position| (last.input - position.input).abs() < 1e-9;
+                if !positions.last().is_some_and(same) {
+                    positions.push(position);
+                }
+            }
+            let [a, d] = linkage.pivots();
+            let frame = Frame {
+                length: (d - a).norm(),
+                angle: (d - a).y.atan2((d - a).x),
+            };
+            let task = Task::new(frame, &positions, Task::RATIOS).ok()?;
+            let solution = Solution::new(&task, fitted.curve.proportions()?);
+            solution.verdict.ok().map(PathVerdict::FourBar)
+        }
+        Tracing::SliderCrank(linkage) => {
+            let [crank, rod, offset] = linkage.lengths();
+            let steps = inputs.windows(2).map(|pair| pair[1] - pair[0]);
+            let [growing, falling] = steps.fold([true; 2], |[growing, falling], step| {
+                [growing && step >= 0.0, falling && step <= 0.0]
+            });
+            let order = match (growing, falling) {
+                (true, true) => Order::Either,
+                (true, false) => Order::Growing,
+                (false, true) => Order::Falling,
+                (false, false) => Order::Mixed,
+            };
+            Some(PathVerdict::SliderCrank {
+                order,
+                transmission: ((crank + offset.abs()) / rod).min(1.0).acos(),
+                size_ratio: crank.max(rod) / crank.min(rod),
+            })
+        }
+    }
+}

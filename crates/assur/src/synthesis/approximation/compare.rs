@@ -1,0 +1,324 @@
+//! Comparison of a curve with the wanted path at 24 places, whatever its place, size and direction.
+//!
+//! Both are centred complex vectors c and z. The similarity αc + β nearest to z leaves |z|² − |⟨c, z⟩|²/|c|². Places at
+//! equal intervals of the length correspond. On closed curves every shift is tried, in both directions.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Complex;
+
+use super::curve::{Curve, Swing};
+use super::target::{Course, Target, along, closed, lengths};
+
+/// Number of places that are compared.
+pub(super) const PLACES: usize = 24;
+/// Number of poses of a candidate.
+const POSES: usize = 32;
+
+/// Part of the motion that a candidate compares with the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Part {
+    /// A whole turn of τ.
+    Whole,
+    /// From a value of τ over a span.
+    Arc([f64; 2]),
+    /// The given crank angles, added to or subtracted from a value of φ.
+    Timed([f64; 2]),
+}
+
+/// A curve, or its mirror image, over a part of its motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Candidate {
+    pub(super) curve: Curve,
+    pub(super) mirrored: bool,
+    pub(super) part: Part,
+}
+
+/// How well a candidate fits, and how its places correspond to those of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Match {
+    /// The remaining part of |z|², 0 … 1.
+    pub(super) defect: f64,
+    /// Share of the path's length at which the candidate begins.
+    pub(super) shift: f64,
+    /// True if the candidate runs against the path.
+    pub(super) reversed: bool,
+}
+
+/// The path as it is compared.
+#[derive(Clone, Debug)]
+pub(super) struct Pattern {
+    closed: bool,
+    /// Real and imaginary parts, of norm 1 together; twice, so that every shift is a slice.
+    re: [f32; 2 * PLACES],
+    im: [f32; 2 * PLACES],
+    count: usize,
+    /// Crank angles of the places.
+    angles: Option<Vec<f64>>,
+    /// e^(iφ) of equal steps of a turn.
+    turn: [Complex<f64>; POSES],
+}
+
+impl Pattern {
+    pub(super) fn new(target: &Target) -> Self {
+        let closed_path = target.course() == Course::Closed;
+        let (places, angles) = match &target.angles {
+            Some(angles) => {
+                let count = angles.len().min(PLACES);
+                let chosen = |k: usize| k * (angles.len() - 1) / (count - 1);
+                let places = (0..count).map(|k| target.compared[chosen(k)]).collect();
+                let angles = (0..count).map(|k| angles[chosen(k)]).collect();
+                (places, Some(angles))
+            }
+            None if closed_path => {
+                let mut places = along(&closed(&target.outline), PLACES + 1);
+                places.pop();
+                (places, None)
+            }
+            None => (along(&target.outline, PLACES), None),
+        };
+        let places: Vec<Complex<f64>> = places;
+        let count = places.len();
+        let mean = places.iter().sum::<Complex<f64>>() / count as f64;
+        let square: f64 = places.iter().map(|place| (place - mean).norm_sqr()).sum();
+        let scale = 1.0 / square.sqrt();
+        let (mut re, mut im) = ([0.0; 2 * PLACES], [0.0; 2 * PLACES]);
+        for k in 0..2 * count {
+            let place = (places[k % count] - mean) * scale;
+            (re[k], im[k]) = (place.re as f32, place.im as f32);
+        }
+        Self {
+            closed: closed_path,
+            re,
+            im,
+            count,
+            angles,
+            turn: std::array::from_fn(|k| Complex::cis(TAU * k as f64 / POSES as f64)),
+        }
+    }
+
+    /// True if crank angles are given.
+    pub(super) fn timed(&self) -> bool {
+        self.angles.is_some()
+    }
+
+    /// Compares a candidate.
+    pub(super) fn compare(&self, candidate: &Candidate) -> Match {
+        let mut places = [Complex::new(0.0, 0.0); PLACES];
+        match (candidate.part, &self.angles) {
+            (Part::Timed([from, sense]), Some(angles)) => {
+                for (place, angle) in places.iter_mut().zip(angles) {
+                    let pose = candidate.curve.place(from + sense * angle);
+                    *place = candidate.curve.point(&pose);
+                }
+            }
+            (Part::Arc([from, span]), _) => self.arc(&candidate.curve, [from, span], &mut places),
+            _ => self.whole(&candidate.curve, &mut places),
+        }
+        self.correlated(&places, candidate.mirrored)
+    }
+
+    /// The root of the least defect of a closed line or its mirror image; None for a path that is not closed, or without
+    /// a curve.
+    pub(super) fn unlikeness(&self, line: &[Complex<f64>]) -> Option<f64> {
+        if !self.closed || line.len() < 3 {
+            return None;
+        }
+        let mut places = [Complex::new(0.0, 0.0); PLACES];
+        for (place, at) in places.iter_mut().zip(along(line, PLACES + 1)) {
+            *place = at;
+        }
+        let defect = |mirrored| self.correlated(&places, mirrored).defect;
+        let least = defect(false).min(defect(true));
+        least.is_finite().then(|| least.sqrt())
+    }
+
+    fn whole(&self, curve: &Curve, places: &mut [Complex<f64>; PLACES]) {
+        let mut line = [Complex::new(0.0, 0.0); POSES + 1];
+        for (k, point) in line[..POSES].iter_mut().enumerate() {
+            let pose = match curve.swing {
+                Swing::Full => curve.at_crank(self.turn[k]),
+                _ => curve.place(TAU * k as f64 / POSES as f64),
+            };
+            *point = curve.point(&pose);
+        }
+        line[POSES] = line[0];
+        spread(&line, PLACES, places);
+    }
+
+    fn arc(&self, curve: &Curve, [from, span]: [f64; 2], places: &mut [Complex<f64>; PLACES]) {
+        let mut line = [Complex::new(0.0, 0.0); POSES];
+        let step = span / (POSES - 1) as f64;
+        let (mut turn, next) = (Complex::cis(from), Complex::cis(step));
+        for (k, point) in line.iter_mut().enumerate() {
+            let pose = match curve.swing {
+                Swing::Full => curve.at_crank(turn),
+                _ => curve.place(from + step * k as f64),
+            };
+            *point = curve.point(&pose);
+            turn *= next;
+        }
+        spread(&line, PLACES - 1, places);
+    }
+
+    /// The best correspondence of given places of a candidate.
+    fn correlated(&self, places: &[Complex<f64>; PLACES], mirrored: bool) -> Match {
+        let mean = places[..self.count].iter().sum::<Complex<f64>>() / self.count as f64;
+        let sign = if mirrored { -1.0 } else { 1.0 };
+        let (mut re, mut im) = ([0.0_f32; PLACES], [0.0_f32; PLACES]);
+        let mut square = 0.0;
+        for (k, place) in places[..self.count].iter().enumerate() {
+            let off = place - mean;
+            square += off.norm_sqr();
+            (re[k], im[k]) = (off.re as f32, (sign * off.im) as f32);
+        }
+        let shifts = if self.closed { PLACES } else { 1 };
+        let mut best = (-1.0, 0, false);
+        let directions = if self.timed() { 1 } else { 2 };
+        for reversed in [false, true].into_iter().take(directions) {
+            if reversed {
+                re[..self.count].reverse();
+                im[..self.count].reverse();
+            }
+            let squares = if shifts == 1 {
+                self.product(&re, &im)
+            } else {
+                self.products(&re, &im)
+            };
+            for (shift, square) in squares[..shifts].iter().enumerate() {
+                if *square > best.0 {
+                    best = (*square, shift, reversed);
+                }
+            }
+        }
+        let (product, shift, reversed) = best;
+        // Reversed, place 23 comes first.
+        let shift = if reversed { shift + PLACES - 1 } else { shift };
+        let rest = 1.0 - f64::from(product) / square;
+        let sound = square > 0.0 && rest.is_finite();
+        Match {
+            defect: if sound { rest.max(0.0) } else { f64::INFINITY },
+            shift: if shifts == 1 {
+                0.0
+            } else {
+                shift as f64 / PLACES as f64
+            },
+            reversed,
+        }
+    }
+
+    /// |⟨c, z⟩|² without a shift.
+    fn product(&self, re: &[f32; PLACES], im: &[f32; PLACES]) -> [f32; PLACES] {
+        let (mut x, mut y) = (0.0, 0.0);
+        for k in 0..self.count {
+            x += re[k] * self.re[k] + im[k] * self.im[k];
+            y += re[k] * self.im[k] - im[k] * self.re[k];
+        }
+        let mut squares = [0.0; PLACES];
+        squares[0] = x * x + y * y;
+        squares
+    }
+
+    /// |⟨c, z⟩|² for all shifts. The inner loop runs over shifts, so that it needs no order of summation.
+    fn products(&self, re: &[f32; PLACES], im: &[f32; PLACES]) -> [f32; PLACES] {
+        let (mut x, mut y) = ([0.0_f32; PLACES], [0.0_f32; PLACES]);
+        for k in 0..PLACES {
+            let (c, s) = (re[k], im[k]);
+            let (zr, zi) = (&self.re[k..k + PLACES], &self.im[k..k + PLACES]);
+            for shift in 0..PLACES {
+                x[shift] += c * zr[shift] + s * zi[shift];
+                y[shift] += c * zi[shift] - s * zr[shift];
+            }
+        }
+        std::array::from_fn(|shift| x[shift] * x[shift] + y[shift] * y[shift])
+    }
+}
+
+/// Places at `parts` equal intervals along a polyline.
+fn spread<const N: usize>(
+    line: &[Complex<f64>; N],
+    parts: usize,
+    places: &mut [Complex<f64>; PLACES],
+) {
+    let mut lengths = [0.0; N];
+    for k in 1..N {
+        lengths[k] = lengths[k - 1] + (line[k] - line[k - 1]).norm_sqr().sqrt();
+    }
+    let step = lengths[N - 1] / parts as f64;
+    let mut k = 1;
+    for (j, place) in places.iter_mut().enumerate() {
+        let wanted = step * j as f64;
+        while k < N - 1 && lengths[k] < wanted {
+            k += 1;
+        }
+        let side = lengths[k] - lengths[k - 1];
+        let share = if side > 0.0 {
+            (wanted - lengths[k - 1]) / side
+        } else {
+            0.0
+        };
+        *place = line[k - 1] + (line[k] - line[k - 1]) * share.min(1.0);
+    }
+}
+
+impl Candidate {
+    /// Values of τ at which the curve corresponds to the compared places of the path, by equal lengths.
+    pub(super) fn parameters(&self, found: &Match, target: &Target) -> Vec<f64> {
+        let count = target.compared.len();
+        let [from, span] = match self.part {
+            Part::Timed([from, sense]) => {
+                let angles = target.angles.iter().flatten();
+                return angles.map(|angle| from + sense * angle).collect();
+            }
+            Part::Whole => [0.0, TAU],
+            Part::Arc(arc) => arc,
+        };
+        const STEPS: usize = 96;
+        let poses = self.curve.places([from, span], STEPS + 1);
+        let line: Vec<Complex<f64>> = poses.iter().map(|pose| self.curve.point(pose)).collect();
+        let lengths = lengths(&line);
+        let whole = lengths[STEPS];
+        let shares = shares(target);
+        let tau = |share: f64| {
+            let turns = share.floor();
+            let rest = if share == 1.0 { 1.0 } else { share - turns };
+            let wanted = rest * whole;
+            let k = lengths
+                .partition_point(|length| *length < wanted)
+                .clamp(1, STEPS);
+            let side = lengths[k] - lengths[k - 1];
+            let part = if side > 0.0 {
+                (wanted - lengths[k - 1]) / side
+            } else {
+                0.0
+            };
+            let turned = if share == 1.0 { 0.0 } else { turns * TAU };
+            from + span * ((k - 1) as f64 + part) / STEPS as f64 + turned
+        };
+        (0..count)
+            .map(|k| {
+                let share = shares[k] - found.shift;
+                match (self.part, found.reversed) {
+                    (Part::Whole, false) => tau(share),
+                    (Part::Whole, true) => tau(-share),
+                    (_, false) => tau(share.clamp(0.0, 1.0)),
+                    (_, true) => tau((1.0 - share).clamp(0.0, 1.0)),
+                }
+            })
+            .collect()
+    }
+}
+
+/// Shares of the path's length at its compared places.
+fn shares(target: &Target) -> Vec<f64> {
+    let count = target.compared.len();
+    match target.course() {
+        Course::Closed => (0..count).map(|k| k as f64 / count as f64).collect(),
+        Course::Open => (0..count).map(|k| k as f64 / (count - 1) as f64).collect(),
+        Course::Points => {
+            let lengths = lengths(&target.compared);
+            let whole = lengths[count - 1];
+            lengths.iter().map(|length| length / whole).collect()
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Descent to the least distances from a path: Levenberg and Marquardt's method with exact derivatives.
+//!
+//! The unknowns are the similarity P = αc + β, the place w of the coupler point, and the three dimensions of
+//! [`Curve::new`]. Without crank angles, each place of the path has a foot on the curve. As a foot moves along the curve the
+//! distance does not change to first order, so only the part of the derivatives across the curve counts. With crank
+//! angles the angle at the first place is an unknown, too. Higher powers p of the distances tend to the least greatest
+//! distance: ΣdᵖP is the sum of the squares of the residuals d^(p/2).
+
+use super::curve::{dot, times_i};
+use super::fitted::{Fitted, UNKNOWNS, Unknowns};
+use super::target::Target;
+use crate::numeric::linear::solve_positive_definite;
+use crate::tolerance;
+
+/// Initial damping, relative to the diagonal of the normal equations.
+const FIRST_DAMPING: f64 = 1e-2;
+
+/// A descent.
+#[derive(Clone, Debug)]
+pub(super) struct Descent {
+    pub(super) fitted: Fitted,
+    /// The power of the distances, and their unit.
+    power: i32,
+    unit: f64,
+    value: f64,
+    damping: f64,
+    /// The relative decrease of the sum in a step at which the descent ends.
+    gain: f64,
+    pub(super) over: bool,
+}
+
+impl Descent {
+    /// A descent for a power of the distances, 2 or more.
+    pub(super) fn new(fitted: Fitted, power: i32, gain: f64) -> Self {
+        let unit = fitted.greatest().max(f64::MIN_POSITIVE);
+        let value = value(&fitted, power, unit);
+        Self {
+            fitted,
+            power,
+            unit,
+            value,
+            damping: FIRST_DAMPING,
+            gain,
+            over: !value.is_finite(),
+        }
+    }
+
+    /// At most so many steps.
+    pub(super) fn run(mut self, target: &Target, steps: usize) -> Fitted {
+        for _ in 0..steps {
+            if self.over {
+                break;
+            }
+            self.step(target);
+        }
+        self.fitted
+    }
+
+    /// Tries one step with growing damping. Sets `over` if no step is useful any more.
+    fn step(&mut self, target: &Target) {
+        let (matrix, right) = self.normal_equations(target);
+        for _ in 0..8 {
+            let mut damped = matrix;
+            for (k, row) in damped.iter_mut().enumerate() {
+                row[k] += self.damping * row[k] + tolerance::CONVERGED;
+            }
+            let step = solve_positive_definite(damped, right);
+            let next = step.and_then(|step| {
+                let x = std::array::from_fn(|k| self.fitted.x[k] + step[k]);
+                self.fitted.moved(x, target)
+            });
+            if let Some(next) = next {
+                let then = value(&next, self.power, self.unit);
+                if then < self.value {
+                    self.over = then > self.value * (1.0 - self.gain);
+                    self.over |= next.greatest() <= tolerance::CONVERGED;
+                    (self.fitted, self.value) = (next, then);
+                    self.damping = (0.2 * self.damping).max(tolerance::NEGLIGIBLE);
+                    return;
+                }
+            }
+            self.damping = 6.0 * self.damping.max(tolerance::TRIPLE_ROOT);
+        }
+        self.over = true;
+    }
+
+    /// JᵀJ and −Jᵀr.
+    fn normal_equations(&self, target: &Target) -> ([[f64; UNKNOWNS]; UNKNOWNS], Unknowns) {
+        let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
+        let mut right = [0.0; UNKNOWNS];
+        let fitted = &self.fitted;
+        let timed = target.angles.is_some();
+        let half = 0.5 * f64::from(self.power);
+        let mut add = |row: &Unknowns, rest: f64| {
+            for i in 0..UNKNOWNS {
+                for j in 0..=i {
+                    matrix[i][j] += row[i] * row[j];
+                }
+                right[i] -= row[i] * rest;
+            }
+        };
+        for (k, wanted) in target.compared.iter().enumerate() {
+            let (by, tangent) = fitted.derivatives(fitted.feet[k], timed);
+            let off = fitted.point(fitted.feet[k]) - wanted;
+            let distance = fitted.distances[k];
+            // d^(p/2) has the derivative (p/2) d^(p/2 − 1) d′.
+            let share = distance / self.unit;
+            let weight = if self.power == 2 {
+                1.0
+            } else {
+                half * share.powf(half - 1.0)
+            };
+            let towards = if timed && distance <= f64::MIN_POSITIVE {
+                None
+            } else if timed {
+                Some(off / distance)
+            } else if tangent.norm() > tolerance::COINCIDENT {
+                Some(times_i(tangent / tangent.norm()))
+            } else {
+                Some(off / distance.max(f64::MIN_POSITIVE))
+            };
+            match towards {
+                Some(normal) if !timed || self.power > 2 => {
+                    let row = by.map(|by| weight * dot(by, normal) / self.unit);
+                    let rest = if self.power == 2 {
+                        dot(off, normal) / self.unit
+                    } else {
+                        share.powf(half).copysign(dot(off, normal))
+                    };
+                    add(&row, rest);
+                }
+                _ => {
+                    add(&by.map(|by| by.re / self.unit), off.re / self.unit);
+                    add(&by.map(|by| by.im / self.unit), off.im / self.unit);
+                }
+            }
+        }
+        for i in 0..UNKNOWNS {
+            for j in i + 1..UNKNOWNS {
+                matrix[i][j] = matrix[j][i];
+            }
+            // An unknown that moves nothing is held.
+            if matrix[i][i] <= f64::MIN_POSITIVE {
+                matrix[i][i] = 1.0;
+            }
+        }
+        (matrix, right)
+    }
+}
+
+/// Σ(d/unit)ᵖ.
+fn value(fitted: &Fitted, power: i32, unit: f64) -> f64 {
+    let shares = fitted.distances.iter().map(|distance| distance / unit);
+    shares.map(|share| share.powi(power)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Complex;
+
+    use super::*;
+    use crate::Point;
+    use crate::synthesis::approximation::Course;
+    use crate::synthesis::approximation::compare::{Candidate, Match, Part};
+    use crate::synthesis::approximation::curve::{Curve, Kind};
+    use crate::synthesis::approximation::fitted::tests::start;
+
+    /// A descent from dimensions 5 % beside those of a curve ends at the curve.
+    #[test]
+    fn a_descent_beside_a_curve_ends_at_it() {
+        let wanted = start(Kind::FourBar, [1.1, 0.9, 1.3], true);
+        let points: Vec<Point> = (0..300)
+            .map(|k| wanted.point(f64::from(k) * std::f64::consts::TAU / 300.0))
+            .map(|z| Point::new(z.re, z.im))
+            .collect();
+        let target = Target::new(&points, Course::Points, None).unwrap();
+        let curve =
+            Curve::new(Kind::FourBar, [1.15, 0.86, 1.34], Complex::new(0.42, 0.66)).unwrap();
+        let candidate = Candidate {
+            curve,
+            mirrored: true,
+            part: Part::Arc([0.0, 6.26]),
+        };
+        let found = Match {
+            defect: 0.0,
+            shift: 0.0,
+            reversed: false,
+        };
+        let fitted = Fitted::new(&candidate, &found, &target).unwrap();
+        let fitted = Descent::new(fitted, 2, 1e-6).run(&target, 60);
+        assert!(fitted.greatest() < 1e-9, "{:e}", fitted.greatest());
+    }
+}

@@ -1,0 +1,121 @@
+//! Distances between a path and the curve that approximates it.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Complex;
+
+use super::curve::dot;
+use super::fitted::Fitted;
+use super::target::{Course, Target};
+use crate::numeric::max_abs;
+
+/// Distances between a path and the traced curve, in the unit of the path. For points they are the distances of the
+/// points from the curve, or from the places at the given crank angles. For a drawn curve they are taken both ways: from
+/// its points to the traced curve and back, along the part of the motion that traces it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// The greatest distance.
+    pub greatest: f64,
+    /// The root of the mean square.
+    pub root_mean_square: f64,
+}
+
+/// Number of places of the traced curve that are compared.
+const PLACES: usize = 256;
+/// Steps from the nearest of these places to the foot.
+const STEPS: usize = 4;
+
+impl Deviation {
+    /// The deviation in units of the path's size.
+    pub(super) fn of(fitted: &Fitted, target: &Target) -> Self {
+        if target.angles.is_some() {
+            return Self::at_feet(fitted, target);
+        }
+        let part = part(fitted, target);
+        let step = (part[1] - part[0]) / (PLACES - 1) as f64;
+        let tau = |k: usize| part[0] + step * k as f64;
+        let curve: Vec<Complex<f64>> = (0..PLACES).map(|k| fitted.point(tau(k))).collect();
+        let mut distances: Vec<f64> = Vec::new();
+        for wanted in &target.outline {
+            let (mut k, mut square) = (0, f64::INFINITY);
+            for (j, place) in curve.iter().enumerate() {
+                let here = (place - wanted).norm_sqr();
+                if here < square {
+                    (k, square) = (j, here);
+                }
+            }
+            let (_, foot) = fitted.foot(*wanted, tau(k), STEPS);
+            distances.push(foot.min(square.sqrt()));
+        }
+        if target.course() != Course::Points {
+            let path: Vec<Segment> = target.segments().map(Segment::new).collect();
+            let to_path = |place: &Complex<f64>| {
+                let squares = path.iter().map(|side| side.square(*place));
+                squares.fold(f64::INFINITY, f64::min).sqrt()
+            };
+            distances.extend(curve.iter().map(to_path));
+        }
+        Self::from_distances(&distances)
+    }
+
+    /// The deviation of the compared places from their feet.
+    pub(super) fn at_feet(fitted: &Fitted, target: &Target) -> Self {
+        let feet = fitted.feet.iter().zip(&target.compared);
+        let distances = feet.map(|(tau, wanted)| (fitted.point(*tau) - wanted).norm());
+        Self::from_distances(&distances.collect::<Vec<f64>>())
+    }
+
+    pub(super) fn from_distances(distances: &[f64]) -> Self {
+        let squares: f64 = distances.iter().map(|distance| distance * distance).sum();
+        Self {
+            greatest: max_abs(distances.iter().copied()),
+            root_mean_square: (squares / distances.len().max(1) as f64).sqrt(),
+        }
+    }
+
+    /// The same in another unit.
+    pub(super) fn times(self, unit: f64) -> Self {
+        Self {
+            greatest: self.greatest * unit,
+            root_mean_square: self.root_mean_square * unit,
+        }
+    }
+}
+
+/// A segment of the path, prepared for many distances.
+struct Segment {
+    from: Complex<f64>,
+    side: Complex<f64>,
+    /// 1/|side|², or 0 for a point.
+    inverse: f64,
+}
+
+impl Segment {
+    fn new([from, to]: [Complex<f64>; 2]) -> Self {
+        let side = to - from;
+        let square = side.norm_sqr();
+        let inverse = if square > 0.0 { 1.0 / square } else { 0.0 };
+        Self {
+            from,
+            side,
+            inverse,
+        }
+    }
+
+    /// Square of the distance of a place.
+    fn square(&self, place: Complex<f64>) -> f64 {
+        let arm = place - self.from;
+        let share = (dot(arm, self.side) * self.inverse).clamp(0.0, 1.0);
+        (arm - self.side * share).norm_sqr()
+    }
+}
+
+/// The part of the motion that traces the path: from the first foot to the last, or a turn of τ for a closed curve.
+pub(super) fn part(fitted: &Fitted, target: &Target) -> [f64; 2] {
+    let [low, high] = crate::sorting::extremes(fitted.feet.iter().copied());
+    if target.course() == Course::Closed || high - low >= TAU {
+        [0.0, TAU]
+    } else {
+        [low, high]
+    }
+}

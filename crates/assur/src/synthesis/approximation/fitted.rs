@@ -1,0 +1,310 @@
+//! A linkage in the plane of the path: the unknowns of a descent, and the feet of the path on its curve.
+
+use nalgebra::Complex;
+
+use super::compare::{Candidate, Match, Part};
+use super::curve::{Curve, Kind, dot, times_i};
+use super::distance::Deviation;
+use super::target::Target;
+use crate::numeric::max_abs;
+use crate::tolerance;
+
+/// α, β, w, the dimensions, the angle of the crank at the first place.
+pub(super) const UNKNOWNS: usize = 10;
+pub(super) type Unknowns = [f64; UNKNOWNS];
+
+/// The greatest length of a linkage, relative to the size of the path.
+const REACH: f64 = 25.0;
+/// The greatest step of a foot along τ.
+const FOOT_STEP: f64 = 0.2;
+
+/// A linkage in the plane of the path, with its feet.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted {
+    pub(super) kind: Kind,
+    pub(super) mirrored: bool,
+    pub(super) x: Unknowns,
+    pub(super) curve: Curve,
+    /// τ at the compared places of the path, not reduced to a turn.
+    pub(super) feet: Vec<f64>,
+    /// The sense in which the crank meets given angles; 0 without them.
+    sense: f64,
+    /// Distances at the compared places.
+    pub(super) distances: Vec<f64>,
+}
+
+impl Fitted {
+    /// A candidate in the place, size and direction in which it is nearest to the path.
+    pub(super) fn new(candidate: &Candidate, found: &Match, target: &Target) -> Option<Self> {
+        let feet = candidate.parameters(found, target);
+        let curve = candidate.curve;
+        let places: Vec<Complex<f64>> = (feet.iter())
+            .map(|tau| mirrored(curve.point(&curve.place(*tau)), candidate.mirrored))
+            .collect();
+        let count = places.len() as f64;
+        let mean = |of: &[Complex<f64>]| of.iter().sum::<Complex<f64>>() / count;
+        let (from, to) = (mean(&places), mean(&target.compared));
+        let (mut product, mut square) = (Complex::new(0.0, 0.0), 0.0);
+        for (place, wanted) in places.iter().zip(&target.compared) {
+            product += (place - from).conj() * (wanted - to);
+            square += (place - from).norm_sqr();
+        }
+        let alpha = product / square;
+        let beta = to - alpha * from;
+        let [x, y, z] = unknowns(&curve);
+        let (start, sense) = match candidate.part {
+            Part::Timed([from, sense]) => (from, sense),
+            _ => (0.0, 0.0),
+        };
+        let w = curve.w;
+        let x = [
+            alpha.re, alpha.im, beta.re, beta.im, w.re, w.im, x, y, z, start,
+        ];
+        let mut fitted = Self {
+            kind: curve.kind,
+            mirrored: candidate.mirrored,
+            x,
+            curve,
+            feet,
+            sense,
+            distances: Vec::new(),
+        };
+        let sound = x.iter().all(|x| x.is_finite()) && fitted.within_reach();
+        sound.then(|| {
+            fitted.settle(target, 3);
+            fitted
+        })
+    }
+
+    /// A curve with α and β of its place in the plane of the path.
+    pub(super) fn placed(curve: Curve, [alpha, beta]: [Complex<f64>; 2], feet: Vec<f64>) -> Self {
+        let [x, y, z] = unknowns(&curve);
+        let w = curve.w;
+        Self {
+            kind: curve.kind,
+            mirrored: false,
+            x: [
+                alpha.re, alpha.im, beta.re, beta.im, w.re, w.im, x, y, z, 0.0,
+            ],
+            curve,
+            feet,
+            sense: 0.0,
+            distances: Vec::new(),
+        }
+    }
+
+    fn within_reach(&self) -> bool {
+        let scale = self.x[0].hypot(self.x[1]);
+        let longest = self
+            .curve
+            .longest()
+            .max(self.curve.w.norm() * self.curve.sizes[0]);
+        scale * longest <= REACH && scale > tolerance::COINCIDENT
+    }
+
+    pub(super) fn alpha(&self) -> Complex<f64> {
+        Complex::new(self.x[0], self.x[1])
+    }
+
+    fn beta(&self) -> Complex<f64> {
+        Complex::new(self.x[2], self.x[3])
+    }
+
+    /// A place of the curve of crank length 1, in the plane of the path.
+    pub(super) fn laid(&self, place: Complex<f64>) -> Complex<f64> {
+        self.alpha() * mirrored(place, self.mirrored) + self.beta()
+    }
+
+    /// Place of the coupler point at a parameter.
+    pub(super) fn point(&self, tau: f64) -> Complex<f64> {
+        self.laid(self.curve.point(&self.curve.place(tau)))
+    }
+
+    /// The dimensions and the place of the coupler point; equal for equal curves of different size.
+    pub(super) fn shape(&self) -> [f64; 5] {
+        [4, 5, 6, 7, 8].map(|k| self.x[k])
+    }
+
+    /// The foot of a place near a parameter, and its distance.
+    pub(super) fn foot(&self, wanted: Complex<f64>, mut tau: f64, steps: usize) -> (f64, f64) {
+        let alpha = self.alpha();
+        for _ in 0..steps {
+            let pose = self.curve.place(tau);
+            let off = self.laid(self.curve.point(&pose)) - wanted;
+            let tangent = alpha * mirrored(self.curve.tangent(&pose), self.mirrored);
+            let step = dot(off, tangent) / tangent.norm_sqr().max(f64::MIN_POSITIVE);
+            tau -= step.clamp(-FOOT_STEP, FOOT_STEP);
+        }
+        (tau, (self.point(tau) - wanted).norm())
+    }
+
+    /// Moves the feet to the nearest places of the curve near by, or to the given crank angles, and measures the distances.
+    fn settle(&mut self, target: &Target, steps: usize) {
+        let mut distances = std::mem::take(&mut self.distances);
+        distances.clear();
+        let start = self.x[9];
+        for (k, wanted) in target.compared.iter().enumerate() {
+            let (tau, distance) = match &target.angles {
+                Some(angles) => {
+                    let tau = start + self.sense * angles[k];
+                    (tau, (self.point(tau) - wanted).norm())
+                }
+                None => {
+                    let before = (self.point(self.feet[k]) - wanted).norm();
+                    let moved = self.foot(*wanted, self.feet[k], steps);
+                    if moved.1 <= before {
+                        moved
+                    } else {
+                        (self.feet[k], before)
+                    }
+                }
+            };
+            self.feet[k] = tau;
+            distances.push(distance);
+        }
+        self.distances = distances;
+    }
+
+    /// The deviation of the compared places from their feet.
+    pub(super) fn at_feet(&self) -> Deviation {
+        Deviation::from_distances(&self.distances)
+    }
+
+    /// The greatest distance at the compared places.
+    pub(super) fn greatest(&self) -> f64 {
+        max_abs(self.distances.iter().copied())
+    }
+
+    /// The linkage with other unknowns; None if there is none.
+    pub(super) fn moved(&self, x: Unknowns, target: &Target) -> Option<Self> {
+        let w = Complex::new(x[4], x[5]);
+        let curve = Curve::new(self.kind, [x[6], x[7], x[8]], w)?;
+        if std::mem::discriminant(&curve.swing) != std::mem::discriminant(&self.curve.swing) {
+            return None;
+        }
+        let mut next = Self {
+            x,
+            curve,
+            ..self.clone()
+        };
+        next.within_reach().then(|| {
+            next.settle(target, 1);
+            next
+        })
+    }
+
+    /// Derivatives of the place at a foot by all unknowns.
+    pub(super) fn derivatives(
+        &self,
+        tau: f64,
+        timed: bool,
+    ) -> ([Complex<f64>; UNKNOWNS], Complex<f64>) {
+        let pose = self.curve.place(tau);
+        let alpha = self.alpha();
+        let laid = |z: Complex<f64>| alpha * mirrored(z, self.mirrored);
+        let (point, tangent) = (self.curve.point(&pose), laid(self.curve.tangent(&pose)));
+        let unit = mirrored(point, self.mirrored);
+        let [x, y, z] = self.curve.derivatives(&pose, timed).map(laid);
+        let one = Complex::new(1.0, 0.0);
+        let start = if timed {
+            tangent
+        } else {
+            Complex::new(0.0, 0.0)
+        };
+        let by = [
+            unit,
+            times_i(unit),
+            one,
+            times_i(one),
+            laid(pose.b),
+            laid(times_i(pose.b)),
+            x,
+            y,
+            z,
+            start,
+        ];
+        (by, tangent)
+    }
+}
+
+/// The unknowns of a curve's dimensions.
+fn unknowns(curve: &Curve) -> [f64; 3] {
+    let [x, y, z] = curve.sizes;
+    match curve.kind {
+        Kind::FourBar => [x.ln(), y.ln(), z.ln()],
+        Kind::SliderCrank => [x.ln(), y / (x - 1.0), 0.0],
+    }
+}
+
+fn mirrored(z: Complex<f64>, mirrored: bool) -> Complex<f64> {
+    if mirrored { z.conj() } else { z }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    pub(in crate::synthesis::approximation) fn start(
+        kind: Kind,
+        unknowns: [f64; 3],
+        mirrored: bool,
+    ) -> Fitted {
+        let curve = Curve::new(kind, unknowns, Complex::new(0.4, 0.7)).unwrap();
+        Fitted {
+            kind,
+            mirrored,
+            x: {
+                let [x, y, z] = unknowns;
+                [0.3, 0.1, -0.05, 0.02, 0.4, 0.7, x, y, z, 0.0]
+            },
+            curve,
+            feet: Vec::new(),
+            sense: 0.0,
+            distances: Vec::new(),
+        }
+    }
+
+    /// Derivatives by the dimensions against difference quotients, across the curve, for each motion of the crank.
+    #[test]
+    fn derivatives_are_those_of_the_point() {
+        let four = [
+            [1.1, 0.9, 1.3],
+            [0.1, 0.3, 0.6],
+            [0.9, 0.2, 0.5],
+            [0.3, 0.2, -0.4],
+        ];
+        let slider = [[1.0, 0.4, 0.0]];
+        let all = four
+            .map(|x| (Kind::FourBar, x))
+            .into_iter()
+            .chain(slider.map(|x| (Kind::SliderCrank, x)));
+        for (kind, x) in all {
+            for mirror in [false, true] {
+                let fitted = start(kind, x, mirror);
+                for tau in [0.3, 1.7, PI, 4.0, 5.9] {
+                    let (by, tangent) = fitted.derivatives(tau, false);
+                    let normal = times_i(tangent / tangent.norm());
+                    for k in 0..9 {
+                        let step = 1e-6;
+                        let shifted = |sign: f64| {
+                            let mut next = fitted.clone();
+                            next.x[k] += sign * step;
+                            let y = next.x;
+                            next.curve =
+                                Curve::new(kind, [y[6], y[7], y[8]], Complex::new(y[4], y[5]))
+                                    .unwrap();
+                            next.point(tau)
+                        };
+                        let quotient = (shifted(1.0) - shifted(-1.0)) / (2.0 * step);
+                        let off = dot(quotient - by[k], normal);
+                        assert!(off.abs() < 1e-7, "{kind:?} {x:?} {tau} {k}: {off:e}");
+                    }
+                    let quotient = (fitted.point(tau + 1e-6) - fitted.point(tau - 1e-6)) / 2e-6;
+                    assert!((quotient - tangent).norm() < 1e-7, "{kind:?} {x:?} {tau}");
+                }
+            }
+        }
+    }
+}

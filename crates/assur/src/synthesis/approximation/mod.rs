@@ -1,0 +1,43 @@
+//! Approximation of a path: a four-bar or a slider-crank whose point traces given points, or a curve that is drawn by
+//! hand, as well as possible.
+//!
+//! [`Search`] draws dimensions from an even sequence, computes the curve in closed form and compares it with the path at
+//! 24 places. Place, size and direction are removed by the nearest similarity. The best candidates descend by least
+//! squares with exact derivatives. More than nine points are met only approximately: a four-bar with its coupler point
+//! has nine dimensions.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `target` | the wanted path, checked |
+//! | `special` | straight lines and circles, which are met exactly |
+//! | `curve` | coupler curves in closed form, with derivatives |
+//! | `draws`, `compare` | candidates and their comparison |
+//! | `fitted`, `descent` | a linkage in the plane of the path; its descent to a local optimum |
+//! | `distance` | distances between path and curve |
+//! | `search` | the search, step by step |
+//! | `approximation` | a result, as a linkage with its verdict |
+//! | `atlas` | curves over a plane of two ratios of lengths |
+
+#[expect(
+    clippy::module_inception,
+    reason = "the result is the subject of the module"
+)]
+mod approximation;
+mod atlas;
+mod compare;
+mod curve;
+mod descent;
+mod distance;
+mod draws;
+mod fitted;
+mod search;
+mod special;
+mod target;
+
+pub use approximation::{Approximation, PathVerdict, Tracing};
+pub use atlas::{Atlas, AtlasError, Axis, Cell, Ratio};
+pub use curve::Kind;
+pub use distance::Deviation;
+pub use search::{Norm, Progress, Search, Wanted};
+pub use special::Special;
+pub use target::{Course, Target, TargetError};

@@ -1,0 +1,336 @@
+//! The search: candidates are compared at 24 places, the best of them descend to a local optimum, and candidates near the
+//! optima follow. It runs in steps, so that the best linkage can be shown while it goes on.
+
+use super::approximation::Approximation;
+use super::compare::{Candidate, Match, Part, Pattern};
+use super::curve::Kind;
+use super::descent::Descent;
+use super::distance::{Deviation, part};
+use super::draws::Draws;
+use super::fitted::Fitted;
+use super::target::Target;
+use crate::sorting::sort_by;
+use crate::tolerance;
+
+/// The distance to be made small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Norm {
+    /// The root of the mean square.
+    Squares,
+    /// The greatest distance.
+    Greatest,
+}
+
+/// What is sought.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// The distance to be made small.
+    pub norm: Norm,
+    /// Four-bars are admitted.
+    pub four_bars: bool,
+    /// Slider-cranks are admitted.
+    pub slider_cranks: bool,
+    /// Four-bars without a link that turns fully are admitted. They pass through dead points over their whole curve.
+    pub swinging: bool,
+    /// The seed of the sequence of candidates: an equal seed gives an equal search.
+    pub seed: u64,
+}
+
+impl Default for Wanted {
+    /// Four-bars with a link that turns fully and the least greatest distance.
+    fn default() -> Self {
+        Self {
+            norm: Norm::Greatest,
+            four_bars: true,
+            slider_cranks: false,
+            swinging: false,
+            seed: 0,
+        }
+    }
+}
+
+/// State of a search after a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Number of candidates compared so far.
+    pub candidates: usize,
+    /// True if this step has found a better linkage.
+    pub improved: bool,
+    /// The deviation of the best linkage.
+    pub deviation: Option<Deviation>,
+    /// True if the path is met within rounding: no better linkage exists.
+    pub exact: bool,
+}
+
+/// A search for the linkage whose point traces a path best.
+#[derive(Clone, Debug)]
+pub struct Search {
+    target: Target,
+    wanted: Wanted,
+    pattern: Pattern,
+    draws: Draws,
+    candidates: usize,
+    /// The best candidates of the present batch: drawn anew, and near an optimum.
+    batch: [Vec<(Match, Candidate)>; 2],
+    left: usize,
+    batches: usize,
+    /// Local optima, the best first.
+    optima: Vec<Optimum>,
+    exact: Option<Approximation>,
+}
+
+#[derive(Clone, Debug)]
+struct Optimum {
+    fitted: Fitted,
+    candidate: Candidate,
+    deviation: Deviation,
+    /// The root mean square at the feet after the descent by least squares, which tells optima apart.
+    squares: f64,
+}
+
+/// Candidates of the first batch; the next has twice as many, up to the most.
+const FIRST_BATCH: usize = 256;
+const MOST_BATCH: usize = 4096;
+/// Candidates of a batch that descend: drawn anew, and near an optimum.
+const DESCENDING: [usize; 2] = [4, 2];
+/// Optima that are kept.
+const KEPT: usize = 6;
+/// Steps of a descent, and of the last one of a good optimum.
+const STEPS: usize = 25;
+const LAST_STEPS: usize = 60;
+/// The relative decrease of the sum in a step at which a descent ends: of any candidate, and of a good one.
+const SCREENED: f64 = 1e-2;
+const SETTLED: f64 = tolerance::TRIPLE_ROOT;
+/// An optimum by least squares may be so many times worse than the worst one kept: the last descent makes it better.
+const HOPE: f64 = 1.5;
+/// Relative difference of the root mean squares of two descents to the same optimum.
+const SAME: f64 = 1e-3;
+/// Deviation, relative to the size of the path, below which no better linkage is sought.
+const EXACT: f64 = 1e-11;
+
+impl Search {
+    /// A search for a path. A straight line or a circle is met at once.
+    pub fn new(target: Target, wanted: Wanted) -> Self {
+        let kinds = match [wanted.four_bars, wanted.slider_cranks] {
+            [false, false] => [true, false],
+            kinds => kinds,
+        };
+        let pattern = Pattern::new(&target);
+        let draws = Draws::new(
+            wanted.seed,
+            kinds,
+            target.course(),
+            [pattern.timed(), wanted.swinging],
+        );
+        let exact = (target.special).and_then(|special| special.linkage(&target, &wanted));
+        Self {
+            target,
+            wanted,
+            pattern,
+            draws,
+            candidates: 0,
+            batch: [Vec::new(), Vec::new()],
+            left: FIRST_BATCH,
+            batches: 0,
+            optima: Vec::new(),
+            exact,
+        }
+    }
+
+    /// The path.
+    pub fn target(&self) -> &Target {
+        &self.target
+    }
+
+    /// Compares so many candidates, and lets the best of each batch descend. The result depends only on the number of
+    /// candidates in all, not on how they are divided into steps.
+    pub fn step(&mut self, candidates: usize) -> Progress {
+        let before = self.best_value();
+        let mut left = candidates;
+        while left > 0 && !self.is_exact() {
+            let count = left.min(self.left);
+            for k in 0..count {
+                self.compare(self.left - k);
+            }
+            self.candidates += count;
+            left -= count;
+            self.left -= count;
+            if self.left == 0 {
+                self.end_of_batch();
+            }
+        }
+        Progress {
+            improved: self.best_value() < before,
+            ..self.progress()
+        }
+    }
+
+    /// The current state.
+    pub fn progress(&self) -> Progress {
+        let best = self.optima.first().map(|best| best.deviation);
+        let exact = self.exact.as_ref().map(|exact| exact.deviation);
+        Progress {
+            candidates: self.candidates,
+            improved: false,
+            deviation: exact.or(best.map(|best| best.times(self.target.size()))),
+            exact: self.is_exact(),
+        }
+    }
+
+    /// The best linkage so far; None before the first batch of candidates ends.
+    pub fn best(&self) -> Option<Approximation> {
+        if let Some(exact) = &self.exact {
+            return Some(exact.clone());
+        }
+        let best = self.optima.first()?;
+        Approximation::new(&best.fitted, best.deviation, &self.target)
+    }
+
+    /// The best linkages found so far, at most six, each another local optimum.
+    pub fn found(&self) -> Vec<Approximation> {
+        let optima = self.optima.iter();
+        let found =
+            optima.filter_map(|one| Approximation::new(&one.fitted, one.deviation, &self.target));
+        self.exact.iter().cloned().chain(found).collect()
+    }
+
+    fn is_exact(&self) -> bool {
+        self.exact.is_some() || self.best_value() <= EXACT
+    }
+
+    fn rank(&self, deviation: &Deviation) -> f64 {
+        match self.wanted.norm {
+            Norm::Squares => deviation.root_mean_square,
+            Norm::Greatest => deviation.greatest,
+        }
+    }
+
+    fn best_value(&self) -> f64 {
+        let best = self.optima.first();
+        best.map_or(f64::INFINITY, |best| self.rank(&best.deviation))
+    }
+
+    /// Compares a candidate, the one with this number from the end of the batch: every other is near an optimum.
+    fn compare(&mut self, number: usize) {
+        let near = number % 2 == 1 && !self.optima.is_empty();
+        let candidate = if near {
+            let k = (number / 2) % self.optima.len();
+            let step = [0.6, 0.25, 0.1][self.batches % 3];
+            let of = &self.optima[k];
+            self.draws.near(of.fitted.shape(), &of.candidate, step)
+        } else {
+            self.draws.next()
+        };
+        let found = self.pattern.compare(&candidate);
+        if !found.defect.is_finite() {
+            return;
+        }
+        let (best, most) = (
+            &mut self.batch[usize::from(near)],
+            DESCENDING[usize::from(near)],
+        );
+        let worst = best
+            .get(most - 1)
+            .map_or(f64::INFINITY, |worst| worst.0.defect);
+        if found.defect < worst {
+            let at = best.partition_point(|other| other.0.defect <= found.defect);
+            best.insert(at, (found, candidate));
+            best.truncate(most);
+        }
+    }
+
+    fn end_of_batch(&mut self) {
+        let batch = std::mem::take(&mut self.batch);
+        for (found, candidate) in batch.into_iter().flatten() {
+            if let Some(fitted) = Fitted::new(&candidate, &found, &self.target) {
+                let fitted = Descent::new(fitted, 2, SCREENED).run(&self.target, STEPS);
+                self.keep(fitted, candidate);
+            }
+        }
+        self.batches += 1;
+        let count = FIRST_BATCH << self.batches.min(16);
+        self.left = count.min(MOST_BATCH);
+    }
+
+    /// Adds an optimum after a longer descent, if it is new and good enough.
+    fn keep(&mut self, fitted: Fitted, candidate: Candidate) {
+        let worst = self.optima.last().filter(|_| self.optima.len() >= KEPT);
+        let bar = worst.map_or(f64::INFINITY, |worst| HOPE * self.rank(&worst.deviation));
+        if !(self.rank(&fitted.at_feet()) < bar) {
+            return;
+        }
+        let fitted = Descent::new(fitted, 2, SETTLED).run(&self.target, STEPS);
+        let squares = fitted.at_feet().root_mean_square;
+        let known = |other: &Optimum| (squares - other.squares).abs() <= SAME * other.squares;
+        if self.optima.iter().any(known) {
+            return;
+        }
+        let deviation = Deviation::of(&fitted, &self.target);
+        if !(self.rank(&deviation) < bar) {
+            return;
+        }
+        let mut best = (fitted, deviation);
+        let last: &[&[i32]] = match self.wanted.norm {
+            Norm::Squares => &[&[2]],
+            Norm::Greatest => &[&[2, 4, 8], &[16, 32]],
+        };
+        let mut fitted = best.0.clone();
+        for powers in last {
+            for power in *powers {
+                fitted = Descent::new(fitted, *power, SETTLED).run(&self.target, LAST_STEPS);
+            }
+            let deviation = Deviation::of(&fitted, &self.target);
+            if self.rank(&deviation) < self.rank(&best.1) {
+                best = (fitted.clone(), deviation);
+            }
+        }
+        let (fitted, deviation) = best;
+        let candidate = self.candidate_of(&fitted, candidate);
+        self.optima.push(Optimum {
+            fitted,
+            candidate,
+            deviation,
+            squares,
+        });
+        let norm = self.wanted.norm;
+        let rank = |one: &Optimum| match norm {
+            Norm::Squares => one.deviation.root_mean_square,
+            Norm::Greatest => one.deviation.greatest,
+        };
+        sort_by(&mut self.optima, |a, b| rank(a).total_cmp(&rank(b)));
+        self.optima.truncate(KEPT);
+    }
+
+    /// The candidate from which others near an optimum are drawn.
+    fn candidate_of(&self, fitted: &Fitted, candidate: Candidate) -> Candidate {
+        let part = match candidate.part {
+            Part::Whole => Part::Whole,
+            Part::Arc(_) => {
+                let [from, to] = part(fitted, &self.target);
+                Part::Arc([from, to - from])
+            }
+            Part::Timed([_, sense]) => {
+                let first = fitted.feet.first().copied().unwrap_or(0.0);
+                Part::Timed([first, sense])
+            }
+        };
+        Candidate {
+            curve: fitted.curve,
+            part,
+            ..candidate
+        }
+    }
+}
+
+impl Wanted {
+    /// True if linkages of this kind are admitted.
+    pub fn admits(&self, kind: Kind) -> bool {
+        match kind {
+            Kind::FourBar => self.four_bars || !self.slider_cranks,
+            Kind::SliderCrank => self.slider_cranks,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
