@@ -92,11 +92,11 @@ impl Descent {
         let timed = target.angles.is_some();
         let half = 0.5 * f64::from(self.power);
         let mut add = |row: &Unknowns, rest: f64| {
-            for i in 0..UNKNOWNS {
-                for j in 0..=i {
-                    matrix[i][j] += row[i] * row[j];
+            for (k, x) in row.iter().enumerate() {
+                for (sum, y) in matrix[k].iter_mut().zip(row) {
+                    *sum += x * y;
                 }
-                right[i] -= row[i] * rest;
+                right[k] -= x * rest;
             }
         };
         for (k, wanted) in target.compared.iter().enumerate() {
@@ -135,13 +135,10 @@ impl Descent {
                 }
             }
         }
-        for i in 0..UNKNOWNS {
-            for j in i + 1..UNKNOWNS {
-                matrix[i][j] = matrix[j][i];
-            }
+        for (k, row) in matrix.iter_mut().enumerate() {
             // An unknown that moves nothing is held.
-            if matrix[i][i] <= f64::MIN_POSITIVE {
-                matrix[i][i] = 1.0;
+            if row[k] <= f64::MIN_POSITIVE {
+                row[k] = 1.0;
             }
         }
         (matrix, right)

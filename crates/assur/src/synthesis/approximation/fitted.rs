@@ -286,7 +286,7 @@ pub(super) mod tests {
                 for tau in [0.3, 1.7, PI, 4.0, 5.9] {
                     let (by, tangent) = fitted.derivatives(tau, false);
                     let normal = times_i(tangent / tangent.norm());
-                    for k in 0..9 {
+                    for (k, by) in by.iter().enumerate().take(9) {
                         let step = 1e-6;
                         let shifted = |sign: f64| {
                             let mut next = fitted.clone();
@@ -298,7 +298,7 @@ pub(super) mod tests {
                             next.point(tau)
                         };
                         let quotient = (shifted(1.0) - shifted(-1.0)) / (2.0 * step);
-                        let off = dot(quotient - by[k], normal);
+                        let off = dot(quotient - by, normal);
                         assert!(off.abs() < 1e-7, "{kind:?} {x:?} {tau} {k}: {off:e}");
                     }
                     let quotient = (fitted.point(tau + 1e-6) - fitted.point(tau - 1e-6)) / 2e-6;

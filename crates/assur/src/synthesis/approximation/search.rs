@@ -256,7 +256,8 @@ impl Search {
     fn keep(&mut self, fitted: Fitted, candidate: Candidate) {
         let worst = self.optima.last().filter(|_| self.optima.len() >= KEPT);
         let bar = worst.map_or(f64::INFINITY, |worst| HOPE * self.rank(&worst.deviation));
-        if !(self.rank(&fitted.at_feet()) < bar) {
+        let hopeful = |deviation: &Deviation| self.rank(deviation) < bar;
+        if !hopeful(&fitted.at_feet()) {
             return;
         }
         let fitted = Descent::new(fitted, 2, SETTLED).run(&self.target, STEPS);
@@ -266,7 +267,7 @@ impl Search {
             return;
         }
         let deviation = Deviation::of(&fitted, &self.target);
-        if !(self.rank(&deviation) < bar) {
+        if !hopeful(&deviation) {
             return;
         }
         let mut best = (fitted, deviation);
