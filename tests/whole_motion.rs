@@ -1,5 +1,6 @@
 //! Readings of a whole motion: as fine over many turns as over one, as exact for a small part as for a large one.
 
+mod coincident_hinges;
 mod extrema;
 mod turns;
 

@@ -17,8 +17,8 @@ const MAX_INWARD_OFFSET: f64 = 1e-4;
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
-    /// True if coupler and rocker of a kite can swing freely with the driver at rest, and other links depend on them.
-    /// The branches that this swing connects are then not determined.
+    /// True if coupler and rocker of a kite can swing freely with the driver at rest, and other links depend on them; or
+    /// if any other two links can. The branches that this swing connects are then not determined.
     pub(super) incomplete: bool,
     /// Dead points at which only one branch is known to end: the input, and a signed offset of the input into that
     /// branch.
@@ -120,6 +120,7 @@ impl Meetings {
 
     /// Adds the crossings of kites: their coupler and rocker can swing freely from one motion to another.
     fn add_free_swings(&mut self, mechanism: &Mechanism, motions: &[Motion], domain: &Domain) {
+        self.incomplete |= motions.iter().any(Motion::passes_free_swing);
         let inputs = mechanism
             .closed_steps()
             .filter_map(|closed| closed.free_swing());

@@ -250,6 +250,12 @@ impl Motion {
         &self.change_points
     }
 
+    /// True if the motion passes a pose in which the outer hinges of a dyad other than a driven four-bar coincide: its two
+    /// links could swing about them with the driver at rest.
+    pub(crate) fn passes_free_swing(&self) -> bool {
+        self.knots.has_coincident_hinges()
+    }
+
     /// Margin from singular poses, for groups solved by Newton's method. For each group, the minimum absolute value of
     /// its Jacobian's determinant over the motion is divided by the maximum. The magnitude of the margin is the
     /// smallest of these ratios, its sign the product of the signs of the determinants. 0 if a determinant vanishes or

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::Motion;
 use crate::index::StepId;
 use crate::mechanism::Cause;
-use crate::position::{KNOWN, SmoothRoot};
+use crate::position::{KNOWN, Node, SmoothRoot, State};
 use crate::sorting::sort_by;
 use crate::{Jet, tolerance};
 
@@ -31,15 +31,22 @@ impl Motion {
     /// eleven halvings of the reach do not achieve this, the reach with the smallest error is taken.
     fn smooth_root(&self, step: StepId, input: f64) -> Option<SmoothRoot> {
         let placing = &self.mechanism.steps()[step];
-        let margins = self.margins(step, input)?;
-        let square = placing.square(margins);
+        let state = self.known(step, input)?;
+        let margins = state.margins[step];
+        let at = Node {
+            square: placing.square(margins),
+            base: placing.vanishing_base(&state),
+        };
         let rounding = placing.scales().map(|scale| tolerance::CONVERGED * scale);
         let perturbed = [0, 1].map(|which| margins[which] + rounding[which]);
-        let rounding = (placing.square(perturbed) - square).value();
+        let rounding = match at.base {
+            Some(_) => tolerance::CONVERGED * self.mechanism.size(),
+            None => (placing.square(perturbed) - at.square).value(),
+        };
         let mut best: Option<(f64, SmoothRoot)> = None;
         for halvings in 0..12 {
             let reach = MAX_REACH * self.mechanism.span() * 0.5_f64.powi(halvings);
-            let Some((error, smooth)) = self.interpolated(step, [input, reach], square) else {
+            let Some((error, smooth)) = self.interpolated(step, [input, reach], at) else {
                 continue;
             };
             if best.as_ref().is_none_or(|(least, _)| error < *least) {
@@ -52,9 +59,9 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// Interpolates a smooth root from the quantity under the square root: from `square`, its value at the change
-    /// point, and from the values computed at the distance `reach` on both sides. Returns first the error of the root's
-    /// square at half this distance, then the root.
+    /// Interpolates a smooth root from what is known `at` the change point, and at the distance `reach` on both sides.
+    /// Returns first the error at half this distance, then the root. The error is that of the root's square, or that of
+    /// the base if it vanishes at the change point.
     ///
     /// At the change point the square is zero only within rounding. Its value there is subtracted at all inputs;
     /// otherwise this error would appear in the second derivative, divided by the square of the reach.
@@ -62,31 +69,33 @@ impl Motion {
         &self,
         step: StepId,
         [input, reach]: [f64; 2],
-        square: Jet<KNOWN>,
+        at: Node,
     ) -> Option<(f64, SmoothRoot)> {
-        let square_at = |u: f64| Some(self.square(step, input + u * reach)? + -square.value());
+        let placing = &self.mechanism.steps()[step];
+        let node = |u: f64| {
+            let state = self.known(step, input + u * reach)?;
+            Some(Node {
+                square: placing.square(state.margins[step]) + -at.square.value(),
+                base: at.base.and_then(|_| placing.base(&state)),
+            })
+        };
         let after = self.cycle.wrap(input + reach);
         let sign = self.knots.sign(step, after).factor();
-        let smooth = SmoothRoot::new(
-            (step, sign),
-            [input, reach],
-            [square_at(-1.0)?, square, square_at(1.0)?],
-        );
+        let smooth = SmoothRoot::new((step, sign), [input, reach], [node(-1.0)?, at, node(1.0)?]);
         let error_at = |u: f64| {
-            let root = smooth.at(Jet::<1>::constant(input + u * reach));
-            Some((root.value().powi(2) - square_at(u)?.value()).abs())
+            let known = node(u)?;
+            let input = Jet::<1>::constant(input + u * reach);
+            Some(match smooth.base_over_u(input).zip(known.base) {
+                Some((over_u, base)) => (over_u.value() * (sign * u) - base.value()).norm(),
+                None => (smooth.at(input).value().powi(2) - known.square.value()).abs(),
+            })
         };
         let error = error_at(-0.5)?.max(error_at(0.5)?);
         error.is_finite().then_some((error, smooth))
     }
 
-    /// Quantity under the square root that determines the pose of a step, with the derivatives of the quantity.
-    fn square(&self, step: StepId, input: f64) -> Option<Jet<KNOWN>> {
-        let margins = self.margins(step, input)?;
-        Some(self.mechanism.steps()[step].square(margins))
-    }
-
-    fn margins(&self, step: StepId, input: f64) -> Option<[Jet<KNOWN>; 2]> {
+    /// State at an input in which the margins of a step are known.
+    fn known(&self, step: StepId, input: f64) -> Option<State<KNOWN>> {
         let input = self.cycle.wrap(input);
         let mut state = self.mechanism.blank_state();
         let mut guess = Vec::new();
@@ -98,10 +107,13 @@ impl Motion {
                 // The step itself may fail, because with links in line the square is zero or, by rounding, negative.
                 // Later steps may fail too.
                 Err((failed, cause)) => {
-                    let known = !matches!(cause, Cause::Undetermined | Cause::Input);
+                    let known = match cause {
+                        Cause::Undetermined => self.mechanism.steps()[step].base(&state).is_some(),
+                        cause => cause != Cause::Input,
+                    };
                     failed.index() > step.index() || failed == step && known
                 }
             };
-        known.then_some(state.margins[step])
+        known.then_some(state)
     }
 }

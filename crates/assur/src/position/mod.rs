@@ -35,7 +35,7 @@ pub(crate) use epicyclic::{EpicyclicStep, Member};
 pub(crate) use group::{AngleConstraint, BodyForms, Drive, Equation, Form, Group, KnownTerm};
 use margin::{Dead, clear, crossing};
 pub(crate) use slider::Slider;
-pub(crate) use smooth_root::{KNOWN, SmoothRoot};
+pub(crate) use smooth_root::{KNOWN, Node, SmoothRoot};
 use state::Angle;
 pub(crate) use state::{Nearby, Orientation, Predictor, State};
 pub(crate) use step::{Mounting, Sign, Solvable, Step, StepContext};

@@ -2,11 +2,11 @@
 
 use super::margin::root;
 use super::{
-    Cause, Crank, CrankFourBar, Dead, Enclosure, EpicyclicStep, Group, Nearby, Predictor, Prp, Rpp,
-    Rpr, Rrp, Rrr, Singularity, Slider, SmoothRoot, State,
+    Cause, Complex, Crank, CrankFourBar, Dead, Enclosure, EpicyclicStep, Group, Nearby, Predictor,
+    Prp, Rpp, Rpr, Rrp, Rrr, Singularity, Slider, SmoothRoot, State,
 };
 use crate::index::{BodyId, List, StepId};
-use crate::{Jet, Vector};
+use crate::{Jet, Vector, tolerance};
 
 /// Sign of the root in the closed form of a dyad. The two signs give its two assemblies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,18 +70,16 @@ impl<const N: usize> StepContext<'_, N> {
     #[inline(always)]
     pub(super) fn root(&self, square: Jet<N>, scale: f64) -> Result<Jet<N>, Dead> {
         match self.smooth_root() {
-            Some(root) => Ok(root),
+            Some(smooth) => Ok(smooth.at(self.input)),
             None => Ok(root(square, scale)? * self.sign.factor()),
         }
     }
 
     /// The signed root around a change point near the input; None if the step has no change point there.
     #[inline(always)]
-    pub(super) fn smooth_root(&self) -> Option<Jet<N>> {
+    pub(super) fn smooth_root(&self) -> Option<&SmoothRoot> {
         let mut smooth_roots = self.near.smooth_roots.iter();
-        let here =
-            |smooth: &&SmoothRoot| smooth.step == self.step && smooth.covers(self.input.value());
-        smooth_roots.find(here).map(|smooth| smooth.at(self.input))
+        smooth_roots.find(|smooth| smooth.step == self.step && smooth.covers(self.input.value()))
     }
 }
 
@@ -123,6 +121,12 @@ pub(crate) trait Solvable {
     /// Quantity under the root of the closed form, from the margins.
     fn square<const N: usize>(&self, [margin, _]: [Jet<N>; 2]) -> Jet<N> {
         margin
+    }
+
+    /// Vector between the outer hinges of a dyad whose links are equally long, so that these hinges may coincide; None
+    /// for any other step.
+    fn base<const N: usize>(&self, _: &State<N>) -> Option<Complex<N>> {
+        None
     }
 
     /// Kind of singular position at the dead points of the step.
@@ -250,6 +254,17 @@ impl Step {
 
     pub(crate) fn square<const N: usize>(&self, margins: [Jet<N>; 2]) -> Jet<N> {
         ask!(self, kind => kind.square(margins))
+    }
+
+    pub(crate) fn base<const N: usize>(&self, state: &State<N>) -> Option<Complex<N>> {
+        ask!(self, kind => kind.base(state))
+    }
+
+    /// The vector of [`Solvable::base`] in a pose in which it is zero within rounding.
+    pub(crate) fn vanishing_base<const N: usize>(&self, state: &State<N>) -> Option<Complex<N>> {
+        let least = tolerance::NEGLIGIBLE * tolerance::NEGLIGIBLE * state.scale;
+        let base = self.base(state)?;
+        (base.value().norm_squared() <= least).then_some(base)
     }
 
     pub(crate) fn scales(&self) -> [f64; 2] {

@@ -3,7 +3,7 @@
 use super::knots::{Knots, MAX_TURN};
 use super::{Continuation, Prediction};
 use crate::index::StepId;
-use crate::position::{KNOWN, Predictor, SmoothRoot, State};
+use crate::position::{Complex, KNOWN, Node, Predictor, SmoothRoot, State};
 use crate::{Jet, tolerance};
 
 /// Distance from a change point, relative to the span of the input, within which the margins ([`State::margins`]) lose
@@ -50,7 +50,7 @@ impl Continuation<'_> {
         while let Some(step) = next {
             found.steps.push(step);
             if self.changes_sign(step) {
-                let square = self.square(step, &self.state_at(input, &found.smooth_roots));
+                let node = self.node(step, &self.state_at(input, &found.smooth_roots));
                 let opposite = self.signs[step].opposite();
                 let after = if sense > 0.0 {
                     opposite
@@ -58,7 +58,7 @@ impl Continuation<'_> {
                     self.signs[step]
                 };
                 let window = [found.input, 4.0 * PROBE_DISTANCE * self.mechanism.span()];
-                let smooth = SmoothRoot::beside((step, after.factor()), window, square);
+                let smooth = SmoothRoot::beside((step, after.factor()), window, node);
                 found.smooth_roots.push(smooth);
             }
             let state = self.state_at(input, &found.smooth_roots);
@@ -93,9 +93,12 @@ impl Continuation<'_> {
         self.mechanism.steps()[step].passes_change_point()
     }
 
-    /// Quantity under the square root that determines the pose of a step.
-    fn square(&self, step: StepId, state: &State<KNOWN>) -> Jet<KNOWN> {
-        self.mechanism.steps()[step].square(state.margins[step])
+    /// What is known of a step at its change point.
+    fn node(&self, step: StepId, state: &State<KNOWN>) -> Node {
+        Node {
+            square: self.mechanism.steps()[step].square(state.margins[step]),
+            base: self.mechanism.steps()[step].vanishing_base(state),
+        }
     }
 
     /// State at an input, solved step by step with the given smooth roots until a step has no solution.
@@ -225,6 +228,16 @@ impl Continuation<'_> {
             let root = smooth.at(Jet::<1>::constant(past)).value();
             (root * root - square).abs() <= MAX_DEVIATION * square
         });
+        let ends = [(self.input, &*here), (past, &*trial)];
+        let mut bases = found.smooth_roots.iter().filter(|smooth| smooth.has_base());
+        let expected = expected
+            && bases.all(|smooth| {
+                let placing = &plan[smooth.step];
+                ends.iter().all(|(input, state)| {
+                    let at = *input - smooth.input;
+                    has_simple_zero([placing.base(&between), placing.base(state)], at)
+                })
+            });
         let width = past - self.input;
         let certified = enclosure.certify_beside(plan, here, width, (&found.steps, trial));
         let mut steps = plan.enumerate();
@@ -232,4 +245,14 @@ impl Continuation<'_> {
         let is_certified = expected && certified.is_ok() && held;
         (is_certified && self.turned() <= MAX_TURN).then_some((between, past))
     }
+}
+
+/// True if a vector that vanishes in the first of two poses is nearly proportional to the change of the input: at the
+/// distance `at`, in the second pose, it is what its rate in the first one gives. Only then does it have a direction where
+/// it vanishes.
+fn has_simple_zero([zero, beside]: [Option<Complex<4>>; 2], at: f64) -> bool {
+    zero.zip(beside).is_some_and(|(zero, beside)| {
+        let rate = zero[1];
+        (beside.value() / at - rate).norm() <= MAX_DEVIATION * rate.norm()
+    })
 }

@@ -164,6 +164,11 @@ impl Knots {
         self.list[self.index_at(input)].signs[step]
     }
 
+    /// True if the outer hinges of a dyad coincide at a change point.
+    pub(in crate::motion) fn has_coincident_hinges(&self) -> bool {
+        self.smooth_roots.iter().any(SmoothRoot::has_base)
+    }
+
     /// Adds the smooth root of a change point. In a full cycle, also adds its copies one period away that cover an end
     /// of the cycle.
     pub(in crate::motion) fn add_smooth_root(&mut self, smooth: SmoothRoot, cycle: &Cycle) {

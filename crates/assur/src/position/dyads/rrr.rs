@@ -78,6 +78,15 @@ impl<const N: usize> Triangle<N> {
         state.lay(j, self.d, self.leg(j, to_c - self.diagonal));
     }
 
+    /// Places two arms of equal length from the unit vector û of BD, which has a limit where B and D coincide:
+    /// C − B = d/2 + i û √P/2. For C to the right of BD, û is opposite to BD.
+    fn lay_on(&self, state: &mut State<N>, [i, j]: &[Arm; 2], direction: Complex<N>) {
+        let half = self.diagonal.by(Vector::new(0.5, 0.0));
+        let across = direction.left().scaled(self.margins[0].sqrt() * 0.5);
+        state.lay(i, self.b, across + half);
+        state.lay(j, self.d, across - half);
+    }
+
     /// Vector of an arm between its hinges. If the other arm is much longer, only the direction of `along` is exact,
     /// and `along` is scaled to the length of the arm.
     #[inline(always)]
@@ -114,6 +123,11 @@ impl Solvable for Rrr {
         if let Some(four_bar) = &self.four_bar {
             return four_bar.place(&self.arms, state, context, &triangle);
         }
+        let smooth = context.smooth_root();
+        if let Some(base) = smooth.and_then(|smooth| smooth.base_over_u(context.input)) {
+            triangle.lay_on(state, &self.arms, base.unit());
+            return Ok(());
+        }
         if square.value() <= f64::EPSILON * f64::EPSILON * sum * sum {
             return Err(Cause::Undetermined);
         }
@@ -122,8 +136,8 @@ impl Solvable for Rrr {
             Dead::At => Cause::DeadPoint,
             Dead::Beyond => Cause::Apart { by },
         };
-        let root = match context.smooth_root() {
-            Some(root) => root,
+        let root = match smooth {
+            Some(smooth) => smooth.at(context.input),
             None => {
                 let [of_p, of_q] = scales(sum, difference);
                 let far = clear(p, of_p).map_err(|dead| beyond(dead, distance - sum))?;
@@ -166,6 +180,17 @@ impl Solvable for Rrr {
 
     fn square<const N: usize>(&self, [p, q]: [Jet<N>; 2]) -> Jet<N> {
         p * q
+    }
+
+    fn base<const N: usize>(&self, state: &State<N>) -> Option<Complex<N>> {
+        let Triangle {
+            diagonal,
+            sum,
+            difference,
+            ..
+        } = Triangle::of(state, &self.arms);
+        let equal = self.four_bar.is_none() && difference.abs() <= tolerance::CONVERGED * sum;
+        equal.then_some(diagonal)
     }
 
     fn scales(&self) -> [f64; 2] {
