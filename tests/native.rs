@@ -32,5 +32,6 @@ mod readers;
 mod shaking;
 mod structure;
 mod synthesis;
+mod textbooks;
 mod whole_motion;
 mod words;
