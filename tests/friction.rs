@@ -289,3 +289,26 @@ fn friction_on_nothing_is_refused() {
         [Defect::NoNumber { .. }]
     ));
 }
+
+/// Two entries for one pair would count its friction twice: the later one is refused, by the name of the pair.
+#[test]
+fn friction_given_twice_is_refused() {
+    let of = slider_crank(Vec::new());
+    let friction = vec![
+        hinge("B", 0.1, 0.1),
+        slide(0.2),
+        hinge("C", 0.1, 0.1),
+        hinge("B", 0.2, 0.05),
+        slide(0.1),
+    ];
+    let spec = LoadingSpec {
+        friction,
+        ..LoadingSpec::default()
+    };
+    let twice = |index: usize, name: &str| Defect::RubsTwice {
+        index,
+        name: name.to_owned(),
+    };
+    let refused = Loading::new(of.0.mechanism(), &spec).unwrap_err();
+    assert_eq!(refused, [twice(3, "B"), twice(4, "C")]);
+}

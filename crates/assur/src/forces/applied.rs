@@ -1,4 +1,5 @@
-//! Forces and couples in a pose that are not reactions: weights, inertia, loads, springs and dampers.
+//! Forces and couples in a pose that are not reactions: weights, inertia, loads, springs and dampers. Those of friction
+//! depend on the reactions; `friction` adds them.
 
 use super::Loading;
 use super::loading::{Damper, Load, Spring};
@@ -80,7 +81,7 @@ impl Loading {
             })
     }
 
-    /// Adds the forces in a pose to a list. The input has a rate and an acceleration with respect to time.
+    /// Adds the forces in a pose to a list, without friction. The input has a rate and an acceleration with respect to time.
     pub(super) fn apply(
         &self,
         state: &State<3>,

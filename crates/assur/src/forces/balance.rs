@@ -1,7 +1,7 @@
-//! The work of the loads over a cycle, by the rate, and the rate at which a motor does it.
+//! The work of the loads over a cycle, by the rate, and the rate at which a drive does it.
 
 use super::system::System;
-use super::{Motor, NoCycle, NoRun};
+use super::{Loading, Motor, NoCycle, NoRun};
 use crate::motion::Motion;
 use crate::numeric::gauss::{B, C};
 use crate::numeric::roots::bisect;
@@ -31,6 +31,21 @@ pub(super) struct Steady {
     pub(super) motor: Motor,
     /// True if the rate is that asked for, and the motor a constant torque that keeps it.
     pub(super) is_held: bool,
+}
+
+/// A linkage under load as a system, the work of its loads over a cycle, and the rate near `rate` at which a motor does
+/// this work; without a motor, a constant torque does it at that rate.
+pub(super) fn balanced(
+    motion: &Motion,
+    loading: &Loading,
+    motor: Option<&Motor>,
+    rate: f64,
+) -> Result<(System, Balance, Steady), NoCycle> {
+    let system = System::new(motion, loading, motor.unwrap_or(&Motor::NONE));
+    let mut system = system.map_err(NoCycle::Run)?;
+    let balance = Balance::new(&mut system)?;
+    let steady = balance.steady(motor, rate)?;
+    Ok((system, balance, steady))
 }
 
 /// Work over a part of the input from its coefficients.

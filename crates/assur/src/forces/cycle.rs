@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use super::along::{Along, Reached};
-use super::balance::{Balance, period};
+use super::balance::{balanced, period};
 use super::system::System;
 use super::{Loading, Motor, NoRun};
 use crate::motion::{Motion, TooManyTurns};
@@ -75,9 +75,7 @@ impl SteadyCycle {
         motor: Option<&Motor>,
         rate: f64,
     ) -> Result<Self, NoCycle> {
-        let system = System::new(motion, loading, motor.unwrap_or(&Motor::NONE));
-        let mut system = system.map_err(NoCycle::Run)?;
-        let steady = Balance::new(&mut system)?.steady(motor, rate)?;
+        let (mut system, _, steady) = balanced(motion, loading, motor, rate)?;
         system.motor = steady.motor;
         let start = motion.drawn_input();
         let period = period(motion)?.copysign(steady.rate);

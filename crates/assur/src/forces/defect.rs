@@ -56,6 +56,8 @@ pub enum Defect {
     Idle { part: Part, index: usize },
     /// Friction at a point without a hinge, or of a link that does not slide.
     NoPair { index: usize, name: String },
+    /// Friction of a pair that has friction from an earlier entry.
+    RubsTwice { index: usize, name: String },
     /// A flywheel on a linkage whose first driver is no crank.
     NoCrank,
 }

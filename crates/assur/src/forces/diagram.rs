@@ -1,6 +1,6 @@
 //! Wittenbauer's diagram: energy over reduced inertia through a cycle at a constant rate.
 
-use super::balance::{Balance, interval, work};
+use super::balance::{Balance, balanced, interval, work};
 use super::system::System;
 use super::{Loading, Motor, NoCycle};
 use crate::motion::Motion;
@@ -47,12 +47,7 @@ impl Diagram {
         rate: f64,
     ) -> Result<Self, NoCycle> {
         let bare = loading.with_flywheel(0.0);
-        let mut system = System::new(motion, &bare, motor.unwrap_or(&Motor::NONE));
-        let system = system
-            .as_mut()
-            .map_err(|reason| NoCycle::Run(reason.clone()))?;
-        let balance = Balance::new(system)?;
-        let steady = balance.steady(motor, rate)?;
+        let (mut system, balance, steady) = balanced(motion, &bare, motor, rate)?;
         let torque = steady.motor.torque(steady.rate)[0];
         let mut energy = 0.0;
         let mut points = Vec::new();
@@ -82,7 +77,7 @@ impl Diagram {
             .filter(|[least, most]| most - least <= tolerance::COINCIDENT * most);
         let constant = alike.map(|[least, _]| least).sum();
         Ok(Self {
-            system: system.clone(),
+            system,
             balance,
             rate: steady.rate,
             torque,

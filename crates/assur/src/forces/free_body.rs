@@ -10,7 +10,7 @@ use crate::{Point, Vector};
 /// What a force or couple on a body comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// A weight, the inertia of the body, a load, a spring or a damper.
+    /// A weight, the inertia of the body, a load, a spring, a damper, or friction in a pair.
     Applied(Source),
     /// The reaction of a pair.
     Reaction {

@@ -17,6 +17,13 @@ const MAX_STEPS: usize = 60;
 /// Change of the friction in one step, relative to the greatest reaction, at which Newton's method has arrived.
 const ARRIVED: f64 = 1e-13;
 
+/// Shortest step of the share of the coefficients while friction is followed.
+const SHORTEST: f64 = 1e-6;
+
+/// Determinant below which friction grows without bound. Near the share at which it does, the determinant is proportional
+/// to the share that is left, and so a few [`SHORTEST`] at the last step.
+const LOCKING: f64 = 1e-3;
+
 /// Friction of a pair of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Friction {
@@ -162,12 +169,82 @@ fn travel_rate(state: &State<3>, guide: &Guide, along: Vector) -> f64 {
     along.dot(&(point[1] - carried))
 }
 
+/// Coulomb's law for all sliding pairs together. The components are those without friction and, in proportion to each
+/// friction, those that a friction of size one causes alone.
+struct Law<'a> {
+    sliding: &'a [Sliding],
+    bare: &'a [f64],
+    responses: &'a [Vec<f64>],
+    size: f64,
+}
+
+impl Law<'_> {
+    /// Friction under a share of all coefficients, by Newton's method from a guess, with the determinant of the equations
+    /// for its change; None if it does not arrive.
+    fn settle(&self, share: f64, mut friction: DVector<f64>) -> Option<(DVector<f64>, f64)> {
+        let count = self.sliding.len();
+        let most = |most: f64, value: &f64| most.max(value.abs());
+        let greatest = self.bare.iter().fold(0.0, most);
+        for _ in 0..MAX_STEPS {
+            let mut matrix = DMatrix::identity(count, count);
+            let mut rest = friction.clone();
+            for (row, one) in self.sliding.iter().enumerate() {
+                let value = |component: usize| {
+                    let caused = self.responses.iter().zip(friction.iter());
+                    let caused = caused.map(|(by, size)| by[component] * size);
+                    self.bare[component] + caused.sum::<f64>()
+                };
+                let components = [value(one.start), value(one.start + 1)];
+                let (caused, by) = one.friction(components, self.size);
+                rest[row] -= share * caused;
+                for (column, response) in self.responses.iter().enumerate() {
+                    let change = by[0] * response[one.start] + by[1] * response[one.start + 1];
+                    matrix[(row, column)] -= share * change;
+                }
+            }
+            let factors = matrix.lu();
+            let step = factors.solve(&rest)?;
+            friction -= &step;
+            if !friction.iter().all(|value| value.is_finite()) {
+                return None;
+            }
+            if step.amax() <= ARRIVED * greatest.max(friction.amax()) {
+                return Some((friction, factors.determinant()));
+            }
+        }
+        None
+    }
+
+    /// Friction under the whole coefficients, followed from none while they grow. If the determinant approaches zero on the
+    /// way, the friction grows without bound: with greater coefficients nothing balances it.
+    ///
+    /// # Errors
+    /// The mechanism is self-locking, or the friction is lost on the way.
+    fn follow(&self) -> Result<DVector<f64>, Unbalanced> {
+        let (mut share, mut step) = (0.0, 0.5);
+        let (mut friction, mut determinant) = (DVector::zeros(self.sliding.len()), 1.0);
+        while share < 1.0 {
+            let next = f64::min(share + step, 1.0);
+            match self.settle(next, friction.clone()) {
+                Some((found, next_determinant)) if next_determinant > 0.0 => {
+                    (friction, determinant, share) = (found, next_determinant, next);
+                    step *= 2.0;
+                }
+                _ if step > SHORTEST => step *= 0.5,
+                _ if determinant < LOCKING => return Err(Unbalanced::Locked),
+                _ => return Err(Unbalanced::Unsettled),
+            }
+        }
+        Ok(friction)
+    }
+}
+
 impl Kinetostatics {
     /// Adds the friction of the pairs to the reactions without friction in `found`. The reactions depend on the friction
     /// linearly, the friction on them by Coulomb's law: Newton's method, from no friction.
     ///
     /// # Errors
-    /// No friction satisfies the law: the mechanism is self-locking in this pose.
+    /// No friction satisfies the law, so the mechanism is self-locking in this pose; or Newton's method does not find it.
     pub(super) fn rub(
         &self,
         loading: &Loading,
@@ -196,41 +273,16 @@ impl Kinetostatics {
             responses.push(found.values.clone());
             found.applied.clear();
         }
-        let greatest = bare
-            .iter()
-            .fold(0.0, |most: f64, value| most.max(value.abs()));
-        let mut friction = DVector::<f64>::zeros(count);
-        let mut arrived = false;
-        for _ in 0..MAX_STEPS {
-            let mut matrix = DMatrix::identity(count, count);
-            let mut rest = friction.clone();
-            for (row, one) in sliding.iter().enumerate() {
-                let value = |component: usize| {
-                    let caused = responses.iter().zip(friction.iter());
-                    bare[component] + caused.map(|(by, size)| by[component] * size).sum::<f64>()
-                };
-                let (caused, by) = one.friction([value(one.start), value(one.start + 1)], size);
-                rest[row] -= caused;
-                for (column, response) in responses.iter().enumerate() {
-                    let change = by[0] * response[one.start] + by[1] * response[one.start + 1];
-                    matrix[(row, column)] -= change;
-                }
-            }
-            let Some(step) = matrix.lu().solve(&rest) else {
-                return Err(Unbalanced::Locked);
-            };
-            friction -= &step;
-            if !friction.iter().all(|value| value.is_finite()) {
-                return Err(Unbalanced::Locked);
-            }
-            if step.amax() <= ARRIVED * greatest.max(friction.amax()) {
-                arrived = true;
-                break;
-            }
-        }
-        if !arrived {
-            return Err(Unbalanced::Locked);
-        }
+        let law = Law {
+            sliding: &sliding,
+            bare: &bare,
+            responses: &responses,
+            size,
+        };
+        let friction = match law.settle(1.0, DVector::zeros(count)) {
+            Some((friction, _)) => friction,
+            None => law.follow()?,
+        };
         found.applied = applied;
         found.bare = bare[self.pairs_held()..].to_vec();
         for (one, value) in sliding.iter().zip(friction.iter()) {
@@ -283,5 +335,54 @@ impl Reactions {
         } else {
             drive / bare
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::index::Id;
+
+    /// A slide with the normal force 10 + r F and the coefficient 0.5, so that F = −0.5 |10 + r F| for the speed 1.
+    fn slide(response: f64, coefficient: f64) -> Result<f64, Unbalanced> {
+        let law = FrictionLaw::Slide {
+            coefficient,
+            length: 0.0,
+        };
+        let bodies = [0, 1].map(BodyId::at);
+        let (pair, index) = (PairId(0), 0);
+        let sliding = [Sliding {
+            of: Friction { pair, index, law },
+            start: 0,
+            bodies,
+            at: Vector::zeros(),
+            along: Vector::x(),
+            speed: 1.0,
+        }];
+        let law = Law {
+            sliding: &sliding,
+            bare: &[10.0, 0.0],
+            responses: &[vec![response, 0.0]],
+            size: 1.0,
+        };
+        law.follow().map(|friction| friction[0])
+    }
+
+    /// With r = 1: F = −5 − F/2, so F = −10/3. With r = −1: F = −5 + F/2, so F = −10.
+    #[test]
+    fn friction_that_is_followed() {
+        for (response, expected) in [(1.0, -10.0 / 3.0), (-1.0, -10.0), (-1.9, -100.0)] {
+            let found = slide(response, 0.5).unwrap();
+            assert!((found - expected).abs() < 1e-10 * expected.abs(), "{found}");
+        }
+    }
+
+    /// With r = −2.1 the normal force would grow by more than the friction that it causes.
+    #[test]
+    fn self_locking_is_not_a_failure_of_the_method() {
+        assert_eq!(slide(-2.1, 0.5), Err(Unbalanced::Locked));
+        assert_eq!(slide(-2.1, 0.45).map(f64::round), Ok(-82.0));
+        assert_eq!(slide(1.0, f64::NAN), Err(Unbalanced::Unsettled));
+        assert_eq!(slide(f64::INFINITY, 0.5), Err(Unbalanced::Unsettled));
     }
 }

@@ -36,6 +36,8 @@ pub enum Unbalanced {
     },
     /// No reactions satisfy the law of friction: the mechanism is self-locking.
     Locked,
+    /// Newton's method does not find reactions that satisfy the law of friction. Whether there are any is unknown.
+    Unsettled,
 }
 
 impl Kinetostatics {
@@ -156,7 +158,7 @@ impl Kinetostatics {
     /// Reactions in a pose at an input with a rate and an acceleration with respect to time.
     ///
     /// # Errors
-    /// The pose is singular, or the mechanism is self-locking in it.
+    /// The pose is singular, the mechanism is self-locking in it, or its friction is not found.
     pub fn reactions(
         &self,
         loading: &Loading,

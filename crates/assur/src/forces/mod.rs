@@ -10,6 +10,7 @@
 //! | `defect` | the reasons why they are refused |
 //! | `masses` | masses of links and of bodies |
 //! | `loading` | the same for a mechanism: masses of bodies, forces at places of bodies |
+//! | `names` | the links, points and pairs that a loading names |
 //! | `applied` | the forces and couples in a pose that are not reactions |
 //! | `pair` | the wrenches that a pair can transmit |
 //! | `block` | equilibrium of a driver, a dyad or any group, solved for the components of its pairs |
@@ -22,7 +23,7 @@
 //! | `reduced` | moment of inertia and torque reduced to the input; energies |
 //! | `motor` | the torque of a motor by its speed |
 //! | `system`, `run` | the linkage as a system of one freedom; motion of the input in time |
-//! | `balance` | the work of the loads over a cycle, and the rate at which a motor does it |
+//! | `balance` | the work of the loads over a cycle, and the rate at which a drive does it |
 //! | `cycle`, `along` | the steady cycle: motion that repeats with the linkage |
 //! | `diagram`, `flywheel` | Wittenbauer's diagram; the flywheel for a wanted non-uniformity |
 //!
@@ -44,6 +45,7 @@ mod lever;
 mod loading;
 mod masses;
 mod motor;
+mod names;
 mod pair;
 mod plan;
 mod reactions;

@@ -118,6 +118,12 @@ impl PlanStep {
     pub fn centre(&self, mechanism: &Mechanism) -> Point {
         mechanism.middle() + self.at
     }
+
+    fn is_finite(&self) -> bool {
+        let ends = self.terms.iter().map(|term| term.ends[1]);
+        ends.into_iter()
+            .all(|end| end.x.is_finite() && end.y.is_finite())
+    }
 }
 
 /// Construction of the reactions in a pose.
@@ -144,6 +150,7 @@ impl Kinetostatics {
     pub fn plan(&self, found: &Reactions) -> Result<ForcePlan, Unbalanced> {
         let (mut steps, mut plan) = (Vec::new(), 0);
         for block in &self.blocks {
+            let begun = steps.len();
             let mut builder = Builder {
                 forces: self,
                 found,
@@ -154,15 +161,11 @@ impl Kinetostatics {
             let step = block.step;
             builder.block().ok_or(Unbalanced::Singular { step })?;
             (steps, plan) = (builder.steps, builder.plan + 1);
+            if !steps[begun..].iter().all(PlanStep::is_finite) {
+                return Err(Unbalanced::Singular { step });
+            }
         }
-        let vectors = steps.iter().flat_map(|step: &PlanStep| &step.terms);
-        let finite = |term: &Term| term.ends[1].x.is_finite() && term.ends[1].y.is_finite();
-        match vectors.into_iter().all(finite) {
-            true => Ok(ForcePlan { steps }),
-            false => Err(Unbalanced::Singular {
-                step: self.blocks[0].step,
-            }),
-        }
+        Ok(ForcePlan { steps })
     }
 }
 

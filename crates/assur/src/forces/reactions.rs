@@ -90,7 +90,7 @@ impl Reactions {
         self.drives.first().copied().flatten()
     }
 
-    /// Forces that are not reactions: weights, inertia, loads, springs and dampers.
+    /// Forces that are not reactions: weights, inertia, loads, springs and dampers, and the friction in pairs.
     pub fn applied(&self) -> &[Applied] {
         &self.applied
     }

@@ -128,6 +128,10 @@ pub enum LinkageProblem {
     ForceIdle { path: String },
     /// Friction at a point without a hinge, or of a link that does not slide.
     FrictionNoPair { path: String, name: String },
+    /// Friction of a pair that an earlier entry names already.
+    FrictionTwice { path: String, name: String },
+    /// Friction that Newton's method does not find in a pose.
+    FrictionUnsettled,
     /// Friction that holds the mechanism, whatever the driver does.
     SelfLocking,
     /// A motion under load of a linkage with several drivers.
@@ -163,6 +167,7 @@ impl LinkageProblem {
                 links: mechanism.links_of(step).map(str::to_owned).collect(),
             },
             Unbalanced::Locked => Self::SelfLocking,
+            Unbalanced::Unsettled => Self::FrictionUnsettled,
         }
     }
 

@@ -309,6 +309,10 @@ impl LinkageProblem {
                 path: path(&Part::Friction, *index),
                 name: name.clone(),
             },
+            Defect::RubsTwice { index, name } => Self::FrictionTwice {
+                path: path(&Part::Friction, *index),
+                name: name.clone(),
+            },
             Defect::NoCrank => Self::FlywheelNoCrank,
         }
     }

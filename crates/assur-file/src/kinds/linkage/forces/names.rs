@@ -8,7 +8,7 @@ use super::{AnchorDocument, FrictionDocument};
 use crate::kinds::linkage::LinkageDocument;
 
 impl LinkageDocument {
-    /// Calls a function with every name of a link in the loads, springs and dampers.
+    /// Calls a function with every name of a link in the loads, springs, dampers and friction.
     pub fn links_under_load(&mut self, put: &mut impl FnMut(&mut String)) {
         for load in &mut self.loads {
             put(&mut load.link);
