@@ -194,10 +194,20 @@ impl Drawing {
         }
     }
 
-    /// Adds a link between two points.
+    /// Adds a link between two points. A link to the frame begins at its fixed pivot, where its angle is measured.
     pub(crate) fn bar(&mut self, ends: &[String; 2]) -> Result<String, LinkageProblem> {
         self.apart(ends)?;
-        Ok(self.add_link(ends, None))
+        let mut ends = ends.clone();
+        if self.ends_at_pivot(&ends) {
+            ends.reverse();
+        }
+        Ok(self.add_link(&ends, None))
+    }
+
+    /// Whether the last of two points is fixed to the frame, and the first is not.
+    pub(crate) fn ends_at_pivot(&self, [from, to]: &[String; 2]) -> bool {
+        let is_fixed = |point| self.document.frame.contains(point);
+        is_fixed(to) && !is_fixed(from)
     }
 
     pub(crate) fn add_link(&mut self, points: &[String], name: Option<&str>) -> String {

@@ -128,9 +128,32 @@ impl Drawing {
             Some(place) => {
                 frame.remove(place);
             }
-            None => frame.push(point.to_owned()),
+            None => {
+                frame.push(point.to_owned());
+                self.begin_at_pivots();
+            }
         }
         Ok(())
+    }
+
+    /// Lets each bar begin at its fixed pivot, as if it had been drawn from there. A bar whose direction is in use stays as
+    /// it is: it is driven or loaded, or has a traced point.
+    fn begin_at_pivots(&mut self) {
+        let mut used: Vec<String> = Vec::new();
+        for driver in &self.document.drivers {
+            used.extend(driver.crank.iter().chain(&driver.base).cloned());
+        }
+        used.extend(self.document.tracers.iter().map(|one| one.link.clone()));
+        (self.document).links_under_load(&mut |link: &mut String| used.push(link.clone()));
+        let mut links = std::mem::take(&mut self.document.links);
+        for link in &mut links {
+            let ends: Result<&[String; 2], _> = link.points.as_slice().try_into();
+            let is_turned = link.shape.is_none() && ends.is_ok_and(|ends| self.ends_at_pivot(ends));
+            if is_turned && !used.contains(&link.name) {
+                link.points.reverse();
+            }
+        }
+        self.document.links = links;
     }
 
     /// Fixes the first link to the second, or to the frame; releases it if it is already fixed there.

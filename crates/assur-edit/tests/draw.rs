@@ -75,17 +75,41 @@ fn a_four_bar_moves_as_soon_as_it_is_driven() {
     assert_eq!(advice.mobility, Some(1));
     assert_eq!(
         advice.mends[..2],
-        [Mend::Drive(text("AB")), Mend::Drive(text("CD"))]
+        [Mend::Drive(text("AB")), Mend::Drive(text("DC"))]
     );
     let driven = done(&drawn, &[advice.mends[0].edit()]);
     assert!(Advice::of(&driven).unwrap().is_none());
-    assert_eq!(formula(&driven), "I(frame,AB) → II₂(BC,CD)");
+    assert_eq!(formula(&driven), "I(frame,AB) → II₂(BC,DC)");
     let again = done(&driven, &[Edit::Drive { link: text("AB") }]);
     assert_eq!(again, drawn);
     // Of one freedom the driver is another one, not one more.
-    let other = done(&driven, &[Edit::Drive { link: text("CD") }]);
+    let other = done(&driven, &[Edit::Drive { link: text("DC") }]);
     assert_eq!(other.drivers.len(), 1);
-    assert_eq!(other.drivers[0].crank.as_deref(), Some("CD"));
+    assert_eq!(other.drivers[0].crank.as_deref(), Some("DC"));
+}
+
+/// The angle of a rocker is measured at its fixed pivot, whichever end was drawn first. A bar whose direction is in use
+/// keeps it.
+#[test]
+fn a_link_to_the_frame_begins_at_its_pivot() {
+    let ends = |document: &LinkageDocument| document.links.last().unwrap().points.clone();
+    let drawn = four_bar();
+    assert_eq!(ends(&drawn), ["D", "C"]);
+    let to_pivot = Edit::Bar {
+        ends: [point("B"), End::Fixed([1.0, -2.0])],
+    };
+    assert_eq!(ends(&done(&drawn, &[to_pivot])), ["E", "B"]);
+    let loose = [
+        Edit::Bar {
+            ends: [point("C"), at(6.0, 0.0)],
+        },
+        Edit::Trace {
+            link: text("CE"),
+            at: [5.0, 1.0],
+        },
+        Edit::Fix { point: text("E") },
+    ];
+    assert_eq!(ends(&done(&drawn, &loose)), ["C", "E"]);
 }
 
 #[test]
@@ -114,7 +138,7 @@ fn what_is_rigid_is_told_by_its_count() {
     );
     let advice = Advice::of(&rigid).unwrap().unwrap();
     assert_eq!(advice.mobility, Some(0));
-    assert_eq!(advice.locked, ["AB", "BC"]);
+    assert_eq!(advice.locked, ["AB", "CB"]);
     let [Problem::Linkage(LinkageProblem::Defect(Defect::Locked { mobility: 0, .. }))] =
         &advice.problems[..]
     else {
@@ -122,7 +146,7 @@ fn what_is_rigid_is_told_by_its_count() {
     };
     assert_eq!(
         advice.mends,
-        [Mend::Remove(text("AB")), Mend::Remove(text("BC"))]
+        [Mend::Remove(text("AB")), Mend::Remove(text("CB"))]
     );
 }
 
