@@ -197,7 +197,7 @@ async fn a_four_bar_takes_eight_presses() {
     sheet.tell("Four-bar");
     let state = sheet.saved().await;
     let motion = state.document.motion().unwrap();
-    assert_eq!(motion.mechanism().formula(), "I(frame,AB) → II₂(BC,CD)");
+    assert_eq!(motion.mechanism().formula(), "I(frame,AB) → II₂(BC,DC)");
     let places = state.document.linkage().unwrap().points;
     let places: Vec<[f64; 2]> = places.iter().map(|point| point.at).collect();
     assert_eq!(

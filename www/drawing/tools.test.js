@@ -55,7 +55,7 @@ test("undo of the press that ended a chain takes the chain up again; Esc ends it
   press(0, 1);
   press(3, 3);
   on("A");
-  assert.deepEqual(links(), ["AB", "BC", "CA"]);
+  assert.deepEqual(links(), ["AB", "BC", "AC"]);
   assert.equal(last(), undefined);
   undo();
   assert.equal(last(), "C");
