@@ -2,6 +2,7 @@
 
 mod allocations;
 mod any_drawing;
+mod approximation;
 mod benchmarks;
 mod class4;
 mod cognates;

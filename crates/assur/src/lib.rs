@@ -16,7 +16,7 @@
 //! | `position` | dyads in closed form, groups by Newton's method, certified steps, all assemblies of a group |
 //! | [`circuits`], [`polygons`], [`centres`], [`curvature`] | branches over a turn; velocity and acceleration polygons; instant centres; circles of curvature |
 //! | `four_bar` ([`FourBar`]), [`gears`], [`mixer`] | four-bars in closed form; gear pairs and epicyclic trains; the mixer |
-//! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from given positions, linkages with a dwell; a differential with magnetic couplings under load |
+//! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from given positions, cognates, approximation of paths, linkages with a dwell; a differential with magnetic couplings under load |
 //! | `combined_method`, `relation` | equations of the source papers, evaluated as printed and as corrected |
 //! | `jet`, `geometry`, `index`, `sorting`, `numeric` | derivatives; points and vectors; typed ids; sorting; roots, linear equations, whole turns, levels of tolerance |
 //!

@@ -30,7 +30,8 @@ pub enum PathVerdict {
     SliderCrank {
         /// Order in which the places of the path are met.
         order: Order,
-        /// Minimum angle between the rod and the normal of the guide's normal: 90° if the rod lies along the guide.
+        /// Minimum transmission angle of the motion, between the rod and the normal of the guide: 90° if the rod lies
+        /// along the guide.
         transmission: f64,
         /// Ratio of the longer of crank and rod to the shorter.
         size_ratio: f64,

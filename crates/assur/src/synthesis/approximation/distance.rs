@@ -28,8 +28,10 @@ const STEPS: usize = 4;
 impl Deviation {
     /// The deviation in units of the path's size.
     pub(super) fn of(fitted: &Fitted, target: &Target) -> Self {
-        if target.angles.is_some() {
-            return Self::at_feet(fitted, target);
+        if let Some(turns) = &target.turns {
+            let places = turns.iter().zip(&target.outline);
+            let distances = places.map(|(turn, wanted)| (fitted.at_turn(*turn) - wanted).norm());
+            return Self::from_distances(&distances.collect::<Vec<f64>>());
         }
         let part = part(fitted, target);
         let step = (part[1] - part[0]) / (PLACES - 1) as f64;
@@ -56,13 +58,6 @@ impl Deviation {
             distances.extend(curve.iter().map(to_path));
         }
         Self::from_distances(&distances)
-    }
-
-    /// The deviation of the compared places from their feet.
-    pub(super) fn at_feet(fitted: &Fitted, target: &Target) -> Self {
-        let feet = fitted.feet.iter().zip(&target.compared);
-        let distances = feet.map(|(tau, wanted)| (fitted.point(*tau) - wanted).norm());
-        Self::from_distances(&distances.collect::<Vec<f64>>())
     }
 
     pub(super) fn from_distances(distances: &[f64]) -> Self {

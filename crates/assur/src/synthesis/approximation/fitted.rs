@@ -125,6 +125,11 @@ impl Fitted {
         [4, 5, 6, 7, 8].map(|k| self.x[k])
     }
 
+    /// Place of the coupler point when the crank has turned through a given angle from the first place.
+    pub(super) fn at_turn(&self, turn: f64) -> Complex<f64> {
+        self.point(self.x[9] + self.sense * turn)
+    }
+
     /// The foot of a place near a parameter, and its distance.
     pub(super) fn foot(&self, wanted: Complex<f64>, mut tau: f64, steps: usize) -> (f64, f64) {
         let alpha = self.alpha();

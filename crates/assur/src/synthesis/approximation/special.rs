@@ -40,11 +40,21 @@ pub(super) enum Scaled {
 /// Lengths of the rod of the slider-crank, and of coupler, rocker and frame of the four-bar, in cranks.
 const ROD: f64 = 5.0;
 const BARS: [f64; 3] = [3.0, 3.0, 3.5];
+/// The longest side of a polyline that counts as a circle, in radii: 2 sin 15°, of the regular polygon with 12 sides, and
+/// a little more for rounding.
+const SIDE: f64 = 0.5177;
+/// The greatest radius of a crank, in sizes of the path. A flatter arc is approximated.
+const GREATEST_RADIUS: f64 = 25.0;
 
 impl Scaled {
-    /// The line or circle of places whose bounding box has the diagonal 1.
-    pub(super) fn of(places: &[Complex<f64>]) -> Option<Self> {
-        line(places).or_else(|| circle(places))
+    /// The line or circle of places whose bounding box has the diagonal 1. `longest` is the longest side of the polyline
+    /// through them, or 0 if the path between them is free: a square is no circle.
+    pub(super) fn of(places: &[Complex<f64>], longest: f64) -> Option<Self> {
+        let round = |special: &Self| match special {
+            Self::Circle(_, radius) => longest <= SIDE * radius,
+            Self::Line(_) => true,
+        };
+        line(places).or_else(|| circle(places).filter(round))
     }
 
     /// The linkage that traces the path exactly; None if its kind is not wanted.
@@ -58,6 +68,7 @@ impl Scaled {
                 let curve = slider(one).filter(|_| wanted.admits(Kind::SliderCrank));
                 (curve?, half, pivot)
             }
+            Self::Circle(_, radius) if radius > GREATEST_RADIUS => return None,
             Self::Circle(centre, radius) => {
                 let at_crank = Complex::new(0.0, 0.0);
                 let curve = if wanted.admits(Kind::FourBar) {
@@ -68,23 +79,34 @@ impl Scaled {
                 (curve?, one * radius, centre)
             }
         };
-        let mut feet: Vec<f64> = Vec::new();
-        for place in &target.compared {
-            let own = (place - beta) / alpha;
-            let angle = match self {
-                // The law of cosines in the triangle of crank and rod.
-                Self::Line(_) => {
-                    let along = own.re;
-                    let cosine = (along + (1.0 - ROD * ROD) / along) / 2.0;
-                    cosine.clamp(-1.0, 1.0).acos()
-                }
-                Self::Circle(..) => own.arg(),
-            };
-            let near = feet.last().copied().unwrap_or(angle);
-            feet.push(nearest_to(angle, near));
+        let feet = |places: &[Complex<f64>]| {
+            let mut feet: Vec<f64> = Vec::with_capacity(places.len());
+            for place in places {
+                let angle = self.angle((place - beta) / alpha);
+                let near = feet.last().copied().unwrap_or(angle);
+                feet.push(nearest_to(angle, near));
+            }
+            feet
+        };
+        let fitted = Fitted::placed(curve, [alpha, beta], feet(&target.compared));
+        // Places along the sides of a polygon are beside the circle through its corners.
+        let corners = feet(&target.outline);
+        let distances: Vec<f64> = (corners.iter().zip(&target.outline))
+            .map(|(tau, corner)| (fitted.point(*tau) - corner).norm())
+            .collect();
+        Approximation::new(&fitted, Deviation::from_distances(&distances), target)
+    }
+
+    /// The crank angle at a place relative to the linkage with a crank of length 1.
+    fn angle(self, place: Complex<f64>) -> f64 {
+        match self {
+            // The law of cosines in the triangle of crank and rod.
+            Self::Line(_) => {
+                let cosine = (place.re + (1.0 - ROD * ROD) / place.re) / 2.0;
+                cosine.clamp(-1.0, 1.0).acos()
+            }
+            Self::Circle(..) => place.arg(),
         }
-        let fitted = Fitted::placed(curve, [alpha, beta], feet);
-        Approximation::new(&fitted, Deviation::at_feet(&fitted, target), target)
     }
 
     /// The same in the units of the path.
@@ -143,17 +165,33 @@ mod tests {
     #[test]
     fn lines_and_circles_are_recognised() {
         let places = [0.2, 1.0, 0.0, 0.7].map(on_line);
-        let Some(Scaled::Line([from, to])) = Scaled::of(&places) else {
+        let Some(Scaled::Line([from, to])) = Scaled::of(&places, 0.0) else {
             panic!("no line")
         };
         assert!(((to - from).norm() - 1.0).abs() < 1e-15, "{from} {to}");
         let mut places = [0.0, 1.0, 2.0, 2.5, 4.0].map(on_circle);
-        let Some(Scaled::Circle(centre, radius)) = Scaled::of(&places) else {
+        let Some(Scaled::Circle(centre, radius)) = Scaled::of(&places, 0.0) else {
             panic!("no circle")
         };
         assert!((centre - Complex::new(0.1, -0.2)).norm() < 1e-14 && (radius - 0.5).abs() < 1e-14);
         places[3] *= 1.0 + 1e-6;
-        assert_eq!(Scaled::of(&places), None);
+        assert_eq!(Scaled::of(&places, 0.0), None);
+    }
+
+    /// The corners of a square are on a circle, the square is not. A polygon of 12 sides is a circle drawn by hand.
+    #[test]
+    fn a_drawn_square_is_no_circle() {
+        let polygon = |count: u32, course| {
+            let turn = std::f64::consts::TAU / f64::from(count);
+            let corner =
+                |k: u32| Point::new((f64::from(k) * turn).cos(), (f64::from(k) * turn).sin());
+            let points: Vec<Point> = (0..count).map(corner).collect();
+            Target::new(&points, course, None).unwrap().special()
+        };
+        assert_eq!(polygon(4, Course::Closed), None);
+        let is_unit = |special| matches!(special, Some(Special::Circle { radius, .. }) if f64::abs(radius - 1.0) < 1e-14);
+        assert!(is_unit(polygon(4, Course::Points)));
+        assert!(is_unit(polygon(12, Course::Closed)));
     }
 
     /// Ten times as large and 100 away, also a million times.

@@ -4,6 +4,7 @@ use nalgebra::Complex;
 
 use super::special::{Scaled, Special};
 use crate::Point;
+use crate::numeric::max_abs;
 use crate::tolerance::{COINCIDENT, FARTHEST};
 
 /// What the points of a path mean.
@@ -56,6 +57,8 @@ pub struct Target {
     pub(super) compared: Vec<Complex<f64>>,
     /// Crank angles of these places from the first.
     pub(super) angles: Option<Vec<f64>>,
+    /// Crank angles of all points from the first.
+    pub(super) turns: Option<Vec<f64>>,
 }
 
 impl Target {
@@ -118,21 +121,28 @@ impl Target {
                 closed
             }
         };
-        let angles = angles.map(|angles| {
-            let from: Vec<f64> = angles.iter().map(|angle| angle - angles[0]).collect();
-            thinned(&from, COMPARED)
-        });
-        let timed = angles.is_some();
-        Ok(Self {
-            special: Scaled::of(&outline).filter(|_| !timed),
+        let turns: Option<Vec<f64>> =
+            angles.map(|angles| angles.iter().map(|angle| angle - angles[0]).collect());
+        let mut target = Self {
+            special: None,
             points: points.to_vec(),
             course,
             centre,
             size,
             outline,
             compared,
-            angles,
-        })
+            angles: turns.as_ref().map(|turns| thinned(turns, COMPARED)),
+            turns,
+        };
+        if target.turns.is_none() {
+            let side = |[from, to]: [Complex<f64>; 2]| (to - from).norm();
+            let longest = match course {
+                Course::Points => 0.0,
+                _ => max_abs(target.segments().map(side)),
+            };
+            target.special = Scaled::of(&target.outline, longest);
+        }
+        Ok(target)
     }
 
     /// The given points.
