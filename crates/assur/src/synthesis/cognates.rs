@@ -6,8 +6,8 @@
 //! P = A₀ + (A − A₀) + w(B − A),  w(B − B₀) = w(B − A) + w(A − A₀) − (C₀ − A₀),
 //!
 //! and the terms of these sums are turning bars of constant lengths. Two other orders of the bars are two other
-//! four-bars, on the pivots A₀ and C₀ and on B₀ and C₀. Two bars that turn alike are the cranks of a five-bar with gears
-//! ([`GearedFiveBar`]). Hartenberg and Denavit, *Kinematic Synthesis of Linkages*, 1964, ch. 6.
+//! four-bars, on the pivots A₀ and C₀ and on B₀ and C₀. Two bars that turn alike are the cranks of a five-bar with
+//! gears ([`GearedFiveBar`]). Hartenberg and Denavit, *Kinematic Synthesis of Linkages*, 1964, ch. 6.
 //!
 //! If B₀ is at infinity, B moves on a straight line, and so does its image under the similarity about A₀ with the ratio
 //! w. The cognate of a slider-crank is one slider-crank, with crank and rod exchanged ([`CouplerSliderCrank`]).
@@ -98,8 +98,8 @@ impl CouplerFourBar {
         FourBar::new(self.lengths()).map(|linkage| linkage.grashof())
     }
 
-    /// w, the place of the coupler point relative to the coupler: 0 at the joint with the crank, 1 at the joint with the
-    /// rocker.
+    /// w, the place of the coupler point relative to the coupler: 0 at the joint with the crank, 1 at the joint with
+    /// the rocker.
     pub fn ratio(&self) -> Complex<f64> {
         let [a, b] = self.joints;
         complex(self.point - a) / complex(b - a)
@@ -112,8 +112,9 @@ impl CouplerFourBar {
         a0 + turned(self.ratio(), b0 - a0)
     }
 
-    /// The other two four-bars whose coupler points trace the same curve: on the pivots A₀ and C₀, and on B₀ and C₀. The
-    /// crank of each turns as the coupler of this linkage does; so do A₀A′ and B₀B′, the cranks of a geared five-bar.
+    /// The other two four-bars whose coupler points trace the same curve: on the pivots A₀ and C₀, and on B₀ and C₀.
+    /// The crank of each turns as the coupler of this linkage does; so do A₀A′ and B₀B′, the cranks of a geared
+    /// five-bar.
     pub fn cognates(&self) -> [Result<Self, NoCognate>; 2] {
         let ([a0, b0], [a, b], p) = (self.pivots, self.joints, self.point);
         let (w, c0) = (self.ratio(), self.third_pivot());

@@ -1,5 +1,5 @@
-//! An atlas of coupler curves: a map over two ratios of lengths, for one or more points of the coupler (after J. A. Hrones
-//! and G. L. Nelson, *Analysis of the Four-Bar Linkage*, 1951, who printed 7,300 such curves).
+//! An atlas of coupler curves: a map over two ratios of lengths, for one or more points of the coupler (after J. A.
+//! Hrones and G. L. Nelson, *Analysis of the Four-Bar Linkage*, 1951, who printed 7,300 such curves).
 
 use nalgebra::Complex;
 
@@ -64,9 +64,10 @@ pub struct Cell {
     /// The curve of one circuit, with the pivot of the crank at the origin and the other at (l₄, 0). Its end is its
     /// beginning; empty if the lengths form no linkage.
     pub curve: Vec<Point>,
-    /// The root-mean-square distance of 24 places from a wanted path after the nearest similarity or mirror image, relative
-    /// to the root-mean-square distance of the path from its centre: 0 for equal curves, 1 for curves that have nothing in
-    /// common. Only for a closed path.
+    /// The root-mean-square distance of 24 places from a wanted path after the nearest similarity or mirror image,
+    /// relative to the root-mean-square distance of the path from its centre: 0 for equal curves, 1 for curves that
+    /// have nothing in common. An open path is compared with parts of the curve. None without a path, and for crank
+    /// angles.
     pub unlikeness: Option<f64>,
 }
 
@@ -74,8 +75,8 @@ impl Atlas {
     /// Maximum number of cells.
     pub const MOST_CELLS: usize = 40_000;
 
-    /// The atlas over two ratios with the third given, for points of the coupler: shares of the coupler's length along it
-    /// and to its left.
+    /// The atlas over two ratios with the third given, for points of the coupler: shares of the coupler's length along
+    /// it and to its left.
     ///
     /// # Errors
     /// The first fault found.
@@ -113,8 +114,8 @@ impl Atlas {
         self.axes[0].count * self.axes[1].count * self.points.len()
     }
 
-    /// Cells of a range of indices, so that they can be computed in parts. The first axis runs fastest, then the second,
-    /// then the points. `places` is the number of places of each curve.
+    /// Cells of a range of indices, so that they can be computed in parts. The first axis runs fastest, then the
+    /// second, then the points. `places` is the number of places of each curve.
     pub fn cells(
         &self,
         range: std::ops::Range<usize>,
@@ -260,6 +261,25 @@ mod tests {
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .unwrap();
         assert!(likest.0 == 22 && likest.1 < 0.05, "{likest:?}");
+    }
+
+    /// Three eighths of the curve of a cell are likest to this cell, and no curve is unlike by more than 1.
+    #[test]
+    fn an_open_path_is_compared_with_parts_of_curves() {
+        let atlas = atlas(&[[0.5, 0.0], [0.5, 0.5], [1.0, -0.7]]);
+        let curve = &atlas.cells(22..23, 97, None)[0].curve;
+        let target = Target::new(&curve[20..56], Course::Open, None).unwrap();
+        let cells = atlas.cells(0..45, 97, Some(&target));
+        let own = cells[22].unlikeness.unwrap();
+        assert!(own < 0.05, "{own}");
+        let all: Vec<f64> = cells.iter().filter_map(|cell| cell.unlikeness).collect();
+        let moving = cells.iter().filter(|cell| cell.grashof.is_some()).count();
+        assert_eq!(all.len(), moving);
+        assert!(
+            all.iter()
+                .all(|unlikeness| (0.0..=1.0).contains(unlikeness)),
+            "{all:?}"
+        );
     }
 
     #[test]

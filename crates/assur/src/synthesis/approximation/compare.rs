@@ -14,6 +14,8 @@ use super::target::{Course, Target, along, closed, lengths};
 pub(super) const PLACES: usize = 24;
 /// Number of poses of a candidate.
 const POSES: usize = 32;
+/// Parts of a closed curve that are compared with an open path.
+const PARTS: [f64; 6] = [0.15, 0.25, 0.4, 0.6, 0.8, 1.0];
 
 /// Part of the motion that a candidate compares with the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,18 +120,33 @@ impl Pattern {
         self.correlated(&places, candidate.mirrored)
     }
 
-    /// The root of the least defect of a closed line or its mirror image; None for a path that is not closed, or without
-    /// a curve.
+    /// The root of the least defect of a closed line or its mirror image, for an open path of a part of the line; None
+    /// with crank angles, or without a curve.
     pub(super) fn unlikeness(&self, line: &[Complex<f64>]) -> Option<f64> {
-        if !self.closed || line.len() < 3 {
+        if self.timed() || line.len() < 3 {
             return None;
         }
-        let mut places = [Complex::new(0.0, 0.0); PLACES];
-        for (place, at) in places.iter_mut().zip(along(line, PLACES + 1)) {
-            *place = at;
-        }
-        let defect = |mirrored| self.correlated(&places, mirrored).defect;
-        let least = defect(false).min(defect(true));
+        let defect = |line: &[Complex<f64>], count: usize| {
+            let mut places = [Complex::new(0.0, 0.0); PLACES];
+            for (place, at) in places.iter_mut().zip(along(line, count)) {
+                *place = at;
+            }
+            let of = |mirrored| self.correlated(&places, mirrored).defect;
+            of(false).min(of(true))
+        };
+        let least = if self.closed {
+            defect(line, PLACES + 1)
+        } else {
+            let sides = line.len() - 1;
+            let twice: Vec<Complex<f64>> = line.iter().chain(&line[1..]).copied().collect();
+            let parts = (0..PLACES).flat_map(|k| PARTS.map(|part| (k, part)));
+            let of = |(k, part): (usize, f64)| {
+                let from = k * sides / PLACES;
+                let count = ((part * sides as f64) as usize).max(1);
+                defect(&twice[from..=from + count], PLACES)
+            };
+            parts.map(of).fold(f64::INFINITY, f64::min)
+        };
         least.is_finite().then(|| least.sqrt())
     }
 

@@ -2,9 +2,9 @@
 //!
 //! The crank pin A is e^(iφ). With the fixed pivot D = l₄ and d = D − A, the coupler is the vector b = B − A = d(X +
 //! iY)/(2|d|²), X = l₂² − l₃² + |d|², Y² = PQ, P = 2l₄(cos φ − c₋), Q = 2l₄(c₊ − cos φ). c₋ and c₊ are the cosines of
-//! the limits of the crank. The coupler point is A + wb. A crank that turns fully has Y > 0; the other assembly is a mirror
-//! image. A crank that swings through φ = −h cos τ, about 0 or π, passes through both assemblies in a turn of τ, and Y
-//! has the sign of sin τ; so the curve is smooth in τ.
+//! the limits of the crank. The coupler point is A + wb. A crank that turns fully has Y > 0; the other assembly is a
+//! mirror image. A crank that swings through φ = −h cos τ, about 0 or π, passes through both assemblies in a turn of τ,
+//! and Y has the sign of sin τ; so the curve is smooth in τ.
 
 use nalgebra::Complex;
 
@@ -183,8 +183,8 @@ impl Curve {
         times_i(place.a * crank + self.w * place.b * coupler)
     }
 
-    /// Derivatives of the point with respect to the three unknowns of [`Self::new`]. One of the three angles is held: the
-    /// crank's if it is the input, otherwise the one that leaves the equations best conditioned. The choice adds a
+    /// Derivatives of the point with respect to the three unknowns of [`Self::new`]. One of the three angles is held:
+    /// the crank's if it is the input, otherwise the one that leaves the equations best conditioned. The choice adds a
     /// multiple of the tangent.
     pub(super) fn derivatives(&self, place: &Place, driven: bool) -> [Complex<f64>; 3] {
         let (a, b, w) = (place.a, place.b, self.w);

@@ -1,10 +1,10 @@
 //! Descent to the least distances from a path: Levenberg and Marquardt's method with exact derivatives.
 //!
 //! The unknowns are the similarity P = αc + β, the place w of the coupler point, and the three dimensions of
-//! [`Curve::new`]. Without crank angles, each place of the path has a foot on the curve. As a foot moves along the curve the
-//! distance does not change to first order, so only the part of the derivatives across the curve counts. With crank
-//! angles the angle at the first place is an unknown, too. Higher powers p of the distances tend to the least greatest
-//! distance: ΣdᵖP is the sum of the squares of the residuals d^(p/2).
+//! [`Curve::new`]. Without crank angles, each place of the path has a foot on the curve. As a foot moves along the
+//! curve the distance does not change to first order, so only the part of the derivatives across the curve counts. With
+//! crank angles the angle at the first place is an unknown, too. Higher powers p of the distances tend to the least
+//! greatest distance: Σdᵖ is the sum of the squares of the residuals d^(p/2).
 
 use super::curve::{dot, times_i};
 use super::fitted::{Fitted, UNKNOWNS, Unknowns};

@@ -10,8 +10,8 @@ use super::target::{Course, Target};
 use crate::numeric::max_abs;
 
 /// Distances between a path and the traced curve, in the unit of the path. For points they are the distances of the
-/// points from the curve, or from the places at the given crank angles. For a drawn curve they are taken both ways: from
-/// its points to the traced curve and back, along the part of the motion that traces it.
+/// points from the curve, or from the places at the given crank angles. For a drawn curve they are taken both ways:
+/// from its points to the traced curve and back, along the part of the motion that traces it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The greatest distance.

@@ -41,8 +41,8 @@ pub(super) struct Draws {
 }
 
 impl Draws {
-    /// The sequence of a seed. `kinds` admits four-bars and slider-cranks. A crank turns fully if crank angles are given
-    /// (`timed`) and unless it may swing (`swinging`).
+    /// The sequence of a seed. `kinds` admits four-bars and slider-cranks. A crank turns fully if crank angles are
+    /// given (`timed`) and unless it may swing (`swinging`).
     pub(super) fn new(
         seed: u64,
         kinds: [bool; 2],
@@ -151,8 +151,8 @@ impl Draws {
     }
 }
 
-/// Logarithms of l₂, l₃ and l₄ from three numbers of the unit cube, and l₂. A crank that swings on one side of the frame
-/// is exchanged with the shortest link, as in one of the cognates.
+/// Logarithms of l₂, l₃ and l₄ from three numbers of the unit cube, and l₂. A crank that swings on one side of the
+/// frame is exchanged with the shortest link, as in one of the cognates.
 fn four_bar(u: [f64; 3]) -> ([f64; 3], f64) {
     let [least, greatest] = LENGTHS;
     let [mut x, mut y, mut z] = u.map(|u| least + (greatest - least) * u);

@@ -143,7 +143,8 @@ impl Fitted {
         (tau, (self.point(tau) - wanted).norm())
     }
 
-    /// Moves the feet to the nearest places of the curve near by, or to the given crank angles, and measures the distances.
+    /// Moves the feet to the nearest places of the curve near by, or to the given crank angles, and measures the
+    /// distances.
     fn settle(&mut self, target: &Target, steps: usize) {
         let mut distances = std::mem::take(&mut self.distances);
         distances.clear();

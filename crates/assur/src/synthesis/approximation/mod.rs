@@ -1,8 +1,8 @@
 //! Approximation of a path: a four-bar or a slider-crank whose point traces given points, or a curve that is drawn by
 //! hand, as well as possible.
 //!
-//! [`Search`] draws dimensions from an even sequence, computes the curve in closed form and compares it with the path at
-//! 24 places. Place, size and direction are removed by the nearest similarity. The best candidates descend by least
+//! [`Search`] draws dimensions from an even sequence, computes the curve in closed form and compares it with the path
+//! at 24 places. Place, size and direction are removed by the nearest similarity. The best candidates descend by least
 //! squares with exact derivatives. More than nine points are met only approximately: a four-bar with its coupler point
 //! has nine dimensions.
 //!

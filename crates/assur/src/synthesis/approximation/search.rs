@@ -1,5 +1,5 @@
-//! The search: candidates are compared at 24 places, the best of them descend to a local optimum, and candidates near the
-//! optima follow. It runs in steps, so that the best linkage can be shown while it goes on.
+//! The search: candidates are compared at 24 places, the best of them descend to a local optimum, and candidates near
+//! the optima follow. It runs in steps, so that the best linkage can be shown while it goes on.
 
 use super::approximation::Approximation;
 use super::compare::{Candidate, Match, Part, Pattern};

@@ -40,15 +40,15 @@ pub(super) enum Scaled {
 /// Lengths of the rod of the slider-crank, and of coupler, rocker and frame of the four-bar, in cranks.
 const ROD: f64 = 5.0;
 const BARS: [f64; 3] = [3.0, 3.0, 3.5];
-/// The longest side of a polyline that counts as a circle, in radii: 2 sin 15°, of the regular polygon with 12 sides, and
-/// a little more for rounding.
+/// The longest side of a polyline that counts as a circle, in radii: 2 sin 15°, of the regular polygon with 12 sides,
+/// and a little more for rounding.
 const SIDE: f64 = 0.5177;
 /// The greatest radius of a crank, in sizes of the path. A flatter arc is approximated.
 const GREATEST_RADIUS: f64 = 25.0;
 
 impl Scaled {
-    /// The line or circle of places whose bounding box has the diagonal 1. `longest` is the longest side of the polyline
-    /// through them, or 0 if the path between them is free: a square is no circle.
+    /// The line or circle of places whose bounding box has the diagonal 1. `longest` is the longest side of the
+    /// polyline through them, or 0 if the path between them is free: a square is no circle.
     pub(super) fn of(places: &[Complex<f64>], longest: f64) -> Option<Self> {
         let round = |special: &Self| match special {
             Self::Circle(_, radius) => longest <= SIDE * radius,

@@ -62,8 +62,8 @@ pub struct Target {
 }
 
 impl Target {
-    /// A path through given points. `angles` are crank angles at the points of [`Course::Points`]; only their differences
-    /// count, and the crank may turn in either direction.
+    /// A path through given points. `angles` are crank angles at the points of [`Course::Points`]; only their
+    /// differences count, and the crank may turn in either direction.
     ///
     /// # Errors
     /// The first reason why the points are no path.

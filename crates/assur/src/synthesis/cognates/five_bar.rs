@@ -5,8 +5,8 @@ use crate::gears::Mesh;
 use crate::linkage::{GearSpec, LinkageSpec};
 use crate::tolerance::COINCIDENT;
 
-/// A five-bar whose two cranks turn alike, because each is in mesh with an idler of as many teeth, with the joint of its
-/// two other bars, in one pose.
+/// A five-bar whose two cranks turn alike, because each is in mesh with an idler of as many teeth, with the joint of
+/// its two other bars, in one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GearedFiveBar {
     /// The fixed pivots.
@@ -41,8 +41,8 @@ impl GearedFiveBar {
         sound.then_some(found)
     }
 
-    /// Specification as a mechanism: the cranks `crank` (A, B) and `follower` (E, D), the bars `left` (B, P) and `right`
-    /// (D, P), and the `idler` at O, half-way between the pivots. The crank is driven.
+    /// Specification as a mechanism: the cranks `crank` (A, B) and `follower` (E, D), the bars `left` (B, P) and
+    /// `right` (D, P), and the `idler` at O, half-way between the pivots. The crank is driven.
     pub fn spec(&self) -> LinkageSpec {
         let [a, e] = self.pivots;
         let [b, d] = self.joints;

@@ -6,8 +6,8 @@ use crate::linkage::{FRAME, LinkSpec, SlideSpec};
 use crate::mechanism::{Mechanism, Pose};
 
 impl CouplerFourBar {
-    /// The four-bar whose coupler carries a traced point of a mechanism, in a pose: the link of the point is hinged to two
-    /// links that are hinged to the frame. None if there is no such four-bar.
+    /// The four-bar whose coupler carries a traced point of a mechanism, in a pose: the link of the point is hinged to
+    /// two links that are hinged to the frame. None if there is no such four-bar.
     pub fn of(mechanism: &Mechanism, pose: &Pose<1>, point: &str) -> Option<Self> {
         let carrier = Carrier::of(mechanism, point)?;
         let [first, second] = carrier.hinged()?;

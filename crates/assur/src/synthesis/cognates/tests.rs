@@ -14,8 +14,8 @@ fn golden() -> CouplerFourBar {
     CouplerFourBar::new(pivots, joints, point(2.0, 5.0)).unwrap()
 }
 
-/// w(B₀ − A₀) = (½ + ½i)(4 − i) = 2.5 + 1.5i. A′ = P − A = (2, 2); w(A − A₀) = (½ + ½i)3i = −1.5 + 1.5i. B′ = B₀ + P − B
-/// = (2, 1); (1 − w)(B − B₀) = (½ − ½i)4i = 2 + 2i.
+/// w(B₀ − A₀) = (½ + ½i)(4 − i) = 2.5 + 1.5i. A′ = P − A = (2, 2); w(A − A₀) = (½ + ½i)3i = −1.5 + 1.5i. B′ = B₀ + P −
+/// B = (2, 1); (1 − w)(B − B₀) = (½ − ½i)4i = 2 + 2i.
 #[test]
 fn cognates_of_a_pose_in_small_numbers() {
     let linkage = golden();
