@@ -27,6 +27,7 @@ mod mixer;
 mod mobility;
 mod motion_under_load;
 mod planetary;
+mod poses;
 mod positions;
 mod properties;
 mod readers;

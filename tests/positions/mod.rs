@@ -2,7 +2,7 @@
 
 mod approximations;
 mod continuity;
-mod draw;
+pub(crate) mod draw;
 mod example;
 mod family;
 mod function;

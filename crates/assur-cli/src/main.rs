@@ -187,6 +187,17 @@ enum Command {
     /// leave a family of linkages, and three leave one linkage. For more than three, the best compromise is found, with
     /// l1, l2 and l3 from a tenth of l0 to ten times l0. With --function the positions lie on a function y = f(x); the
     /// greatest error of y is shown with the x at which it occurs.
+    ///
+    /// With --pose the linkages guide a body through two to five poses. A dyad is a link hinged to frame and body (RR),
+    /// a slider on the frame (PR) or a block on the frame through which a line of the body slides (RP); points of the
+    /// body are given in the first pose. Five poses have up to four dyads, Burmester's pairs. Every two dyads are a
+    /// linkage with its verdict: the order of the poses, whether they are on one circuit and one branch, the Grashof type and
+    /// the minimum transmission angle between them.
+    ///
+    /// With --pose and --json: {"solutions": [{"points", "links", "dyads", "verdict": {"order", "circuit", "branch",
+    /// "grashof", "transmission"}}], "count", "complete"}, with the transmission angle in radians.
+    ///
+    /// Example: assur synth --pose 0,0,0 --pose 1,0.6,30 --pose 2,0.5,65 --pivot 0,-2 --pivot 2,-2
     Synth(synth::Asked),
 }
 

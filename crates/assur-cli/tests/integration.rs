@@ -10,5 +10,6 @@ mod differential;
 mod mobility;
 mod synth;
 mod synth_function;
+mod synth_poses;
 mod terminal;
 mod trains;

@@ -2,6 +2,7 @@
 
 mod described;
 mod function;
+mod poses;
 mod words;
 
 use std::io::Write;
@@ -18,6 +19,7 @@ use crate::Failure;
 use crate::words::number;
 use described::Report;
 use function::OnFunction;
+use poses::OnPoses;
 
 /// Maximum number of linkages shown from a family, and of minima shown from a search.
 const SHOWN: usize = 5;
@@ -27,10 +29,12 @@ const SHOWN: usize = 5;
 pub(crate) struct Asked {
     /// Corresponding angles of output link and driver, degrees from the x-axis; a weight may follow. The direction of
     /// the output link is from its hinge with the coupler to its fixed pivot.
-    #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present = "function", conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
+    #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present_any = ["function", "pose"], conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     #[command(flatten)]
     function: OnFunction,
+    #[command(flatten)]
+    on_poses: OnPoses,
     /// Length of the frame; sets the unit of all lengths.
     #[arg(
         value_parser = number,
@@ -138,6 +142,9 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         length: asked.frame,
         angle: asked.frame_angle.to_radians(),
     };
+    if asked.on_poses.is_given() {
+        return poses::write(out, &asked.on_poses, asked.json);
+    }
     let wanted = asked.function.wanted()?;
     let (given, wanted) = match wanted {
         Some((positions, wanted)) => (positions, Some(wanted)),

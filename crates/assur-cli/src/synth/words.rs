@@ -3,6 +3,7 @@
 use assur::synthesis::four_bar::{
     Bound, Line, MemberError, Order, Passage, StartsError, Task, TaskError, ThreePositions,
 };
+use assur::synthesis::poses;
 use serde_json::{Value, json};
 
 use super::Degrees;
@@ -19,6 +20,63 @@ pub(super) const ONE: &str = "one position: a linkage for every l2 and l3, with 
      leave; with l2 and l3 as long as the frame:";
 pub(super) const PARALLEL: &str =
     "condition (13) fails: the output link and the driver are parallel";
+
+pub(super) const POSE: &str = "a pose is a place and an angle in degrees, as 2,1.5,30";
+pub(super) const POINT: &str = "a point is two numbers, as 2,1.5";
+pub(super) const REGION: &str = "a region is two opposite corners, as -1,0,4,2";
+pub(super) const WANTED: &str =
+    "the poses leave families of dyads: --pivot X,Y or --point X,Y picks one";
+
+/// Describes the fault of a task of poses in a sentence.
+pub(super) fn pose_error(error: &poses::TaskError) -> String {
+    let pose = |k: usize| format!("pose {}", k + 1);
+    match *error {
+        poses::TaskError::TooFew { count } => {
+            format!("two to five poses are wanted, here is {count}")
+        }
+        poses::TaskError::TooMany { count } => {
+            format!("two to five poses are wanted, here are {count}")
+        }
+        poses::TaskError::X(k) => format!("{}: x must be from -1e9 to 1e9", pose(k)),
+        poses::TaskError::Y(k) => format!("{}: y must be from -1e9 to 1e9", pose(k)),
+        poses::TaskError::Angle(k) => format!("{}: the angle is not a finite number", pose(k)),
+    }
+}
+
+/// States that a pose equals an earlier one.
+pub(super) fn repeated(k: usize) -> String {
+    format!(
+        "pose {} repeats an earlier one and adds no condition",
+        k + 1
+    )
+}
+
+/// Describes special poses in a sentence.
+pub(super) fn special(special: &poses::Special) -> String {
+    match special {
+        poses::Special::Still => "all poses are equal: every dyad guides the body".to_owned(),
+        poses::Special::Rotation { pole } => format!(
+            "the poses are rotations about ({}, {}): a hinge there guides the body",
+            short(pole.x),
+            short(pole.y)
+        ),
+        poses::Special::Line { along } => format!(
+            "the poses are parallel and on a line: a slide along ({}, {}) guides the body",
+            short(along.x),
+            short(along.y)
+        ),
+        poses::Special::Parallelogram { arm } => format!(
+            "the poses are parallel and on a circle: every parallelogram guides the body whose links go from a hinge \
+             on the body by ({}, {}) to the hinge on the frame",
+            short(arm.x),
+            short(arm.y)
+        ),
+        poses::Special::Parallel => {
+            "the poses are parallel, but neither on a line nor on a circle: no dyad guides the body"
+                .to_owned()
+        }
+    }
+}
 
 /// Describes the fault of a task in a sentence.
 pub(super) fn task_error(error: &TaskError) -> String {

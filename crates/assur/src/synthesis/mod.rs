@@ -4,3 +4,4 @@ pub mod approximation;
 pub mod cognates;
 pub mod dwell;
 pub mod four_bar;
+pub mod poses;

@@ -8,11 +8,11 @@ use super::{Proportions, Task};
 
 /// Directions of output and input relative to the direction of the frame: e₂/e₀ and e₃/e₀.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Direction {
-    pub(super) output: Complex<f64>,
-    pub(super) input: Complex<f64>,
+pub(in crate::synthesis) struct Direction {
+    pub(in crate::synthesis) output: Complex<f64>,
+    pub(in crate::synthesis) input: Complex<f64>,
     /// φ₃ − φ₀.
-    pub(super) input_angle: f64,
+    pub(in crate::synthesis) input_angle: f64,
 }
 
 /// Coupler angle that best closes the loop at a position, and the remaining residual.

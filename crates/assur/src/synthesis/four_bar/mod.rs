@@ -38,6 +38,7 @@ mod three;
 mod verdict;
 
 pub use closure::Closure;
+pub(super) use closure::Direction;
 pub use drawn::{DraftError, Drawn};
 pub use equation::MainEquation;
 pub use family::{Change, ChangeKind, Family, MemberError, Range, TwoPositions};
@@ -46,9 +47,11 @@ pub use function::{ErrorCurve, ErrorSample, FunctionError, Mapping, Table, cheby
 pub use least_squares::{Bound, Minimum, Progress, Search, Surface, weighted_difference};
 pub use line::Line;
 pub use options::{NoOptions, Options};
+pub(super) use ranking::{Assessed, Key};
 pub use ranking::{Criterion, Requirement, Requirements, rank};
 pub use task::{Frame, Position, Task, TaskError};
 pub use three::ThreePositions;
+pub(super) use verdict::{Met, verdict};
 pub use verdict::{Order, Passage, Verdict};
 
 use crate::numeric::max_abs;

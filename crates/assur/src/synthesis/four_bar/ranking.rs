@@ -1,6 +1,6 @@
 //! Requirements on solutions, and their ranking.
 
-use super::{Order, Passage, Solution};
+use super::{Order, Passage, Solution, Verdict};
 use crate::Grashof;
 use crate::sorting::sort_by_key;
 
@@ -46,27 +46,55 @@ impl Requirements {
         let Ok(verdict) = &solution.verdict else {
             return vec![Requirement::Linkage];
         };
+        self.unmet_by(&Assessed::from(verdict))
+    }
+
+    /// Requirements that a linkage with these properties fails.
+    pub(in crate::synthesis) fn unmet_by(&self, of: &Assessed) -> Vec<Requirement> {
         let mut unmet = Vec::new();
         let mut ask = |met: bool, requirement: Requirement| {
             if !met {
                 unmet.push(requirement);
             }
         };
-        let passes = verdict.passage == Passage::Continuous;
+        let passes = of.passage == Passage::Continuous;
         ask(!self.continuous || passes, Requirement::Continuous);
-        let ordered = passes && verdict.order != Order::Mixed;
+        let ordered = passes && of.order != Order::Mixed;
         ask(!self.in_order || ordered, Requirement::InOrder);
-        ask(!self.turns || verdict.turns, Requirement::Turns);
-        let class = self.grashof.is_none_or(|class| class == verdict.grashof);
+        ask(!self.turns || of.turns, Requirement::Turns);
+        let class = self.grashof.is_none_or(|class| of.grashof == Some(class));
         ask(class, Requirement::Grashof);
-        let least = verdict.transmission_between.unwrap_or(0.0);
+        let least = of.transmission.unwrap_or(0.0);
         let transmits = self.transmission.is_none_or(|wanted| least >= wanted);
         ask(transmits, Requirement::Transmission);
-        let size = self
-            .size_ratio
-            .is_none_or(|most| verdict.size_ratio <= most);
+        let size = self.size_ratio.is_none_or(|most| of.size_ratio <= most);
         ask(size, Requirement::SizeRatio);
         unmet
+    }
+}
+
+/// Properties of a linkage that requirements ask for.
+pub(in crate::synthesis) struct Assessed {
+    pub(in crate::synthesis) passage: Passage,
+    pub(in crate::synthesis) order: Order,
+    pub(in crate::synthesis) turns: bool,
+    /// None for a linkage that is no four-bar.
+    pub(in crate::synthesis) grashof: Option<Grashof>,
+    /// Minimum transmission angle between the first and the last position.
+    pub(in crate::synthesis) transmission: Option<f64>,
+    pub(in crate::synthesis) size_ratio: f64,
+}
+
+impl From<&Verdict> for Assessed {
+    fn from(verdict: &Verdict) -> Self {
+        Self {
+            passage: verdict.passage,
+            order: verdict.order,
+            turns: verdict.turns,
+            grashof: Some(verdict.grashof),
+            transmission: verdict.transmission_between,
+            size_ratio: verdict.size_ratio,
+        }
     }
 }
 
@@ -102,9 +130,10 @@ fn cost(solution: &Solution, criterion: Criterion) -> f64 {
     }
 }
 
-struct Key {
-    unmet: usize,
-    cost: f64,
+/// Key of the ranking: the number of failed requirements, then the cost.
+pub(in crate::synthesis) struct Key {
+    pub(in crate::synthesis) unmet: usize,
+    pub(in crate::synthesis) cost: f64,
 }
 
 impl Ord for Key {

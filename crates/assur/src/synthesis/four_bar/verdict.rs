@@ -60,7 +60,7 @@ pub enum Order {
 ///
 /// # Errors
 /// Every reason why these lengths form no linkage.
-pub(super) fn verdict(
+pub(in crate::synthesis) fn verdict(
     proportions: Proportions,
     directions: &[Direction],
 ) -> Result<Verdict, Vec<Invalid>> {
@@ -103,7 +103,7 @@ impl Way {
             span: None,
         };
         let mut first_arc = None;
-        let mut met = Met::new(cycle);
+        let mut met = Met::new(cycle.period().filter(|_| cycle.is_full()));
         for (k, direction) in directions.iter().enumerate() {
             let Some((arc, mut input)) = arc_of(cycle, direction.input_angle) else {
                 found.passage = Passage::Unreached(k);
@@ -190,7 +190,7 @@ fn assembly(
 }
 
 /// Inputs of the positions, added in the given order.
-struct Met {
+pub(in crate::synthesis) struct Met {
     /// Period of the motion; only for a driver that turns fully.
     period: Option<f64>,
     count: usize,
@@ -206,9 +206,10 @@ struct Met {
 }
 
 impl Met {
-    fn new(cycle: &Cycle) -> Self {
+    /// No inputs yet. `period` is that of a driver that turns fully.
+    pub(in crate::synthesis) fn new(period: Option<f64>) -> Self {
         Self {
-            period: cycle.period().filter(|_| cycle.is_full()),
+            period,
             count: 0,
             last: 0.0,
             first: 0.0,
@@ -219,7 +220,7 @@ impl Met {
         }
     }
 
-    fn next(&mut self, input: f64) {
+    pub(in crate::synthesis) fn next(&mut self, input: f64) {
         if self.count == 0 {
             self.first = input;
         } else {
@@ -237,7 +238,7 @@ impl Met {
         self.extremes = [self.extremes[0].min(input), self.extremes[1].max(input)];
     }
 
-    fn order(&self) -> Order {
+    pub(in crate::synthesis) fn order(&self) -> Order {
         let [grows, falls] = match self.period {
             Some(period) => [self.up < period, self.down < period],
             None => self.monotone,
@@ -252,7 +253,7 @@ impl Met {
 
     /// Range of the input from the first position to the last, in the shorter direction if both are possible. For an
     /// oscillating driver it is the range of all positions; otherwise, if the order is mixed, a whole period.
-    fn span(&self) -> [f64; 2] {
+    pub(in crate::synthesis) fn span(&self) -> [f64; 2] {
         match (self.period, self.order()) {
             (None, _) => self.extremes,
             (Some(_), Order::Growing) => [self.first, self.first + self.up],

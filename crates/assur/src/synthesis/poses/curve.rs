@@ -1,0 +1,414 @@
+//! The centre-point and circle-point curves of four poses as polylines, and the nearest point of a curve.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{Matrix3, Vector2};
+
+use super::cubic::{Cubic, Parallels};
+use super::dyad::Dyad;
+use super::locus::nearly_common;
+use super::task::{Place, Task, Triple};
+use crate::Point;
+
+/// Points of a whole turn of the parameter that are computed first.
+const FIRST_POINTS: usize = 48;
+/// Halvings of a step of the parameter. A piece that crosses the window within 10⁻¹² of the parameter is still found.
+const MAX_HALVINGS: usize = 40;
+/// Greatest distance of a chord from the curve, as a part of the window's diagonal: a quarter of a pixel of a picture
+/// of a thousand.
+const FLATNESS: f64 = 2.5e-4;
+/// Greatest length of a chord, as a part of the window's diagonal.
+const LONGEST: f64 = 1.0 / 24.0;
+/// Steps of the search for the nearest point, each of which leaves 0.618 of the bracket.
+const GOLDEN_STEPS: usize = 60;
+
+/// Which of the two curves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Centre points, in the frame.
+    Centre,
+    /// Circle points of the body, in the first pose.
+    Circle,
+}
+
+/// A point of a curve with the point that corresponds to it on the other curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Place on the curve.
+    pub at: Point,
+    /// The circle point of a centre point, or the centre point of a circle point.
+    pub partner: Place,
+    /// Index of the piece of the curve, for [`Curve::at`].
+    pub piece: usize,
+    /// Parameter on this piece.
+    pub parameter: f64,
+}
+
+/// A curve of four poses, drawn in a window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    task: Task,
+    conditions: [Matrix3<f64>; 3],
+    parallels: Parallels,
+    pieces: Vec<Piece>,
+    lines: Vec<Vec<CurvePoint>>,
+}
+
+/// A piece of a curve: with half > 0 a loop X = middle − half·cos τ, on which the sign of sin τ is that of the root; or
+/// a parallel, Y = middle + half·τ at X.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Piece {
+    Loop { middle: f64, half: f64 },
+    Parallel { x: f64, middle: f64, half: f64 },
+}
+
+/// A rectangle in the unit of the task.
+struct Window {
+    middle: Vector2<f64>,
+    half: Vector2<f64>,
+    diagonal: f64,
+}
+
+/// A point of a piece: its parameter and its place, which is not finite for a point at infinity.
+type Sample = (f64, Vector2<f64>);
+
+impl CurvePoint {
+    /// The dyad of a point of a curve of this kind and its partner.
+    pub fn dyad(&self, kind: Kind) -> Option<Dyad> {
+        let at = Place::Finite(self.at);
+        match kind {
+            Kind::Centre => Dyad::of(self.partner, at),
+            Kind::Circle => Dyad::of(at, self.partner),
+        }
+    }
+}
+
+impl Curve {
+    /// Draws a curve of a task with four distinct poses, in the rectangle between two corners. A polyline ends where
+    /// the curve leaves the rectangle. A closed branch ends at its first point.
+    ///
+    /// None if there are not four distinct poses, if the curve is the whole plane (the poses are special: see
+    /// [`Task::special`]), or if the rectangle is empty or not finite.
+    pub fn new(task: &Task, kind: Kind, corners: [Point; 2]) -> Option<Self> {
+        let [a, b, c] = task.displacements() else {
+            return None;
+        };
+        let conditions = [a, b, c].map(|one| match kind {
+            Kind::Centre => *one.matrix(),
+            Kind::Circle => one.matrix().transpose(),
+        });
+        let cubic = Cubic::determinant(conditions.each_ref());
+        let parallels = Parallels::new(&cubic)?;
+        let [from, to] = corners.map(|corner| task.triple(Place::Finite(corner)));
+        let [from, to] = [from, to].map(|one| one.xy() / one.z);
+        let window = Window {
+            middle: 0.5 * (from + to),
+            half: 0.5 * (to - from).abs(),
+            diagonal: (to - from).norm(),
+        };
+        let sound = window.diagonal > 0.0 && window.diagonal.is_finite();
+        let mut curve = Self {
+            task: task.clone(),
+            conditions,
+            parallels,
+            pieces: Vec::new(),
+            lines: Vec::new(),
+        };
+        sound.then(|| curve.draw(&window))?;
+        Some(curve)
+    }
+
+    /// The branches of the curve.
+    pub fn lines(&self) -> &[Vec<CurvePoint>] {
+        &self.lines
+    }
+
+    /// The point of a piece at a parameter; None at infinity, or if there is no such piece.
+    pub fn at(&self, piece: usize, parameter: f64) -> Option<CurvePoint> {
+        let triple = self.triple(self.pieces.get(piece)?, parameter).normalize();
+        let (Place::Finite(at), partner) = (self.task.place(triple), self.partner(triple)?) else {
+            return None;
+        };
+        Some(CurvePoint {
+            at,
+            partner,
+            piece,
+            parameter,
+        })
+    }
+
+    /// The point of the drawn curve that is nearest to a place; None if nothing is drawn.
+    pub fn nearest(&self, place: Point) -> Option<CurvePoint> {
+        let mut best: Option<(f64, usize, [f64; 2])> = None;
+        for line in &self.lines {
+            for (k, pair) in line.windows(2).enumerate() {
+                let foot = crate::nearest(place, pair[0].at, pair[1].at);
+                let distance = (foot - place).norm();
+                if best.is_none_or(|(least, ..)| distance < least) {
+                    let ends = [k.saturating_sub(1), (k + 2).min(line.len() - 1)];
+                    best = Some((distance, pair[0].piece, ends.map(|k| line[k].parameter)));
+                }
+            }
+        }
+        let (_, piece, [mut from, mut to]) = best?;
+        let distance = |parameter: f64| {
+            let point = self.at(piece, parameter);
+            point.map_or(f64::INFINITY, |point| (point.at - place).norm())
+        };
+        let golden = 0.5 * (5_f64.sqrt() - 1.0);
+        for _ in 0..GOLDEN_STEPS {
+            let step = golden * (to - from);
+            if distance(to - step) < distance(from + step) {
+                to = from + step;
+            } else {
+                from = to - step;
+            }
+        }
+        self.at(piece, 0.5 * (from + to))
+    }
+
+    /// The point at infinity of the curve, as a direction, with its partner: a slide on the frame for the centre-point
+    /// curve, a slide on the body for the circle-point curve. None if the curve contains all points at infinity.
+    pub(super) fn infinite(task: &Task, kind: Kind) -> Option<[Triple; 2]> {
+        let [a, b, c] = task.displacements() else {
+            return None;
+        };
+        let conditions = [a, b, c].map(|one| match kind {
+            Kind::Centre => *one.matrix(),
+            Kind::Circle => one.matrix().transpose(),
+        });
+        let cubic = Cubic::determinant(conditions.each_ref());
+        let leading = cubic.leading();
+        if leading.norm() <= crate::tolerance::NEGLIGIBLE * cubic.size() {
+            return None;
+        }
+        let at = crate::perpendicular(leading).normalize().push(0.0);
+        let partner = nearly_common(&conditions.map(|one| one * at))?;
+        Some([at, partner])
+    }
+
+    /// Points at about equal distances along the drawn curve.
+    pub(super) fn spread(&self, count: usize) -> Vec<CurvePoint> {
+        let pairs = || self.lines.iter().flat_map(|line| line.windows(2));
+        let length = |pair: &[CurvePoint]| (pair[1].at - pair[0].at).norm();
+        let step = pairs().map(length).sum::<f64>() / count as f64;
+        let (mut found, mut passed) = (Vec::new(), 0.5 * step);
+        for pair in pairs() {
+            passed += length(pair);
+            if passed >= step {
+                passed -= step;
+                found.push(pair[1]);
+            }
+        }
+        found
+    }
+
+    fn partner(&self, triple: Triple) -> Option<Place> {
+        let partner = nearly_common(&self.conditions.map(|one| one * triple))?;
+        Some(self.task.place(partner))
+    }
+
+    fn triple(&self, piece: &Piece, parameter: f64) -> Triple {
+        match *piece {
+            Piece::Loop { middle, half } => {
+                let x = middle - half * parameter.cos();
+                let sign = if parameter.rem_euclid(TAU) < PI {
+                    1.0
+                } else {
+                    -1.0
+                };
+                self.parallels.triple(x, self.parallels.ordinate(x, sign))
+            }
+            Piece::Parallel { x, middle, half } => {
+                (self.parallels).triple(x, [middle + half * parameter, 1.0])
+            }
+        }
+    }
+
+    fn draw(&mut self, window: &Window) {
+        let reach = 0.5 * window.diagonal;
+        let middle = self.parallels.abscissa(window.middle);
+        for [(from, first), (to, last)] in
+            (self.parallels).intervals([middle - reach, middle + reach])
+        {
+            let piece = Piece::Loop {
+                middle: 0.5 * (from + to),
+                half: 0.5 * (to - from),
+            };
+            let paths: &[[f64; 2]] = match (first, last) {
+                (true, false) => &[[-PI, PI]],
+                (false, false) => &[[0.0, PI], [PI, TAU]],
+                (_, true) => &[[0.0, TAU]],
+            };
+            self.pieces.push(piece);
+            for path in paths {
+                self.follow(window, *path);
+            }
+        }
+        if let Some(x) = self.parallels.line {
+            let along = self.parallels.infinite().xy();
+            self.pieces.push(Piece::Parallel {
+                x,
+                middle: along.dot(&window.middle),
+                half: reach,
+            });
+            self.follow(window, [-1.0, 1.0]);
+        }
+    }
+
+    /// Draws the last piece over a range of its parameter.
+    fn follow(&mut self, window: &Window, [from, to]: [f64; 2]) {
+        let index = self.pieces.len() - 1;
+        let piece = self.pieces[index];
+        let sample = |parameter: f64| -> Sample {
+            let triple = self.triple(&piece, parameter);
+            (parameter, triple.xy() / triple.z)
+        };
+        let mut lines: Vec<Vec<f64>> = Vec::new();
+        let mut open = false;
+        let mut last = sample(from);
+        for k in 1..=FIRST_POINTS {
+            let next = sample(from + (to - from) * k as f64 / FIRST_POINTS as f64);
+            // Steps still to be judged, the next one last, each with the halvings that made it.
+            let mut steps = vec![(next, 0)];
+            while let Some((end, halvings)) = steps.pop() {
+                let is_flat = match window.judge(last.1, end.1) {
+                    Step::Outside => {
+                        open = false;
+                        last = end;
+                        continue;
+                    }
+                    Step::Long => false,
+                    Step::Short => {
+                        let middle = sample(0.5 * (last.0 + end.0)).1;
+                        let off = (middle - 0.5 * (last.1 + end.1)).norm();
+                        off <= FLATNESS * window.diagonal
+                    }
+                };
+                if !is_flat && halvings < MAX_HALVINGS {
+                    steps.push((end, halvings + 1));
+                    steps.push((sample(0.5 * (last.0 + end.0)), halvings + 1));
+                    continue;
+                }
+                if is_flat {
+                    match lines.last_mut() {
+                        Some(line) if open => line.push(end.0),
+                        _ => lines.push(vec![last.0, end.0]),
+                    }
+                }
+                open = is_flat;
+                last = end;
+            }
+        }
+        for line in lines {
+            let points = line
+                .into_iter()
+                .filter_map(|parameter| self.at(index, parameter));
+            let points: Vec<CurvePoint> = points.collect();
+            if points.len() > 1 {
+                self.lines.push(points);
+            }
+        }
+    }
+}
+
+/// A chord within the window, or not.
+enum Step {
+    Outside,
+    Long,
+    Short,
+}
+
+impl Window {
+    fn judge(&self, from: Vector2<f64>, to: Vector2<f64>) -> Step {
+        let middle = 0.5 * (from + to) - self.middle;
+        let reach = 0.5 * (to - from).abs() + self.half;
+        // A comparison with NaN, from a point at infinity, keeps the chord.
+        let apart = |k: usize| middle[k].abs() > reach[k];
+        if apart(0) || apart(1) {
+            Step::Outside
+        } else if (to - from).norm() <= LONGEST * self.diagonal {
+            Step::Short
+        } else {
+            Step::Long
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::poses::Pose;
+
+    const POSES: [[f64; 3]; 4] = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.6, 0.5],
+        [2.1, 0.7, 1.1],
+        [2.8, -0.4, 1.4],
+    ];
+
+    fn curve(kind: Kind, reach: f64) -> (Task, Curve) {
+        let poses = POSES.map(|[x, y, angle]| Pose { x, y, angle });
+        let task = Task::new(&poses).unwrap();
+        let corners = [Point::new(-reach, -reach), Point::new(reach, reach)];
+        let curve = Curve::new(&task, kind, corners).unwrap();
+        (task, curve)
+    }
+
+    /// Each centre point is at equal distances from the four places of its circle point, and the reverse.
+    #[test]
+    fn partners_are_on_circles() {
+        for kind in [Kind::Centre, Kind::Circle] {
+            let (task, curve) = curve(kind, 6.0);
+            assert!(!curve.lines().is_empty());
+            for point in curve.lines().iter().flatten() {
+                let Place::Finite(partner) = point.partner else {
+                    continue;
+                };
+                let [centre, moved] = match kind {
+                    Kind::Centre => [point.at, partner],
+                    Kind::Circle => [partner, point.at],
+                };
+                let radii = [0, 1, 2, 3].map(|k| (task.carried(moved, k) - centre).norm());
+                let off = radii.map(|radius| (radius - radii[0]).abs());
+                let size = 1.0 + centre.coords.norm() + moved.coords.norm();
+                assert!(
+                    off.iter().all(|off| *off < 1e-9 * size),
+                    "{point:?} {radii:?}"
+                );
+            }
+        }
+    }
+
+    /// The six poles of the four poses are centre points.
+    #[test]
+    fn poles_are_centre_points() {
+        let (task, curve) = curve(Kind::Centre, 40.0);
+        for j in 0..4 {
+            for k in 0..j {
+                let Some(Place::Finite(pole)) = task.pole(j, k) else {
+                    panic!("no pole");
+                };
+                let nearest = curve.nearest(pole).unwrap();
+                assert!((nearest.at - pole).norm() < 1e-6, "{pole} {nearest:?}");
+            }
+        }
+    }
+
+    /// Chords are short, and their middles near the curve.
+    #[test]
+    fn polylines_are_smooth() {
+        let (_, curve) = curve(Kind::Circle, 5.0);
+        let diagonal = 10.0 * 2_f64.sqrt();
+        for line in curve.lines() {
+            for pair in line.windows(2) {
+                assert!((pair[1].at - pair[0].at).norm() <= 1.01 * LONGEST * diagonal);
+                let middle = curve.at(pair[0].piece, 0.5 * (pair[0].parameter + pair[1].parameter));
+                let foot = crate::nearest(middle.unwrap().at, pair[0].at, pair[1].at);
+                assert!((foot - middle.unwrap().at).norm() < 1.01 * FLATNESS * diagonal);
+            }
+        }
+        let count: usize = curve.lines().iter().map(Vec::len).sum();
+        assert!((50..2000).contains(&count), "{count}");
+    }
+}

@@ -1,0 +1,7 @@
+//! Linkages that guide a body through given poses.
+
+mod degenerate;
+mod independent;
+mod recovered;
+mod sample;
+mod verdicts;
