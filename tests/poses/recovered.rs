@@ -7,8 +7,6 @@ use super::sample::{Guided, guided};
 use crate::positions::draw::Dice;
 
 const LINKAGES: usize = 2000;
-/// Drawing two curves for each linkage takes most of the time of these tests.
-const CURVES: usize = 300;
 /// The least difference of inputs, radians.
 const APART: f64 = 0.05;
 /// The greatest residual, in the size of the linkage.
@@ -54,7 +52,7 @@ fn from_three_poses_and_pivots() {
 #[test]
 fn on_the_curves_of_four_poses() {
     let mut dice = Dice::new(4);
-    for _ in 0..CURVES {
+    for _ in 0..LINKAGES {
         let given = guided(&mut dice, 4, APART);
         let [a, d] = given.pivots;
         let reach = 4.0 * size(&given);
@@ -79,7 +77,7 @@ fn among_the_pairs_of_five_poses() {
         let given = guided(&mut dice, 5, APART);
         let found = Burmester::new(&given.task).unwrap();
         assert!(found.complete && !found.family, "{found:?} {given:?}");
-        assert!(found.dyads.len() % 2 == 0 && found.dyads.len() >= 2);
+        assert!([2, 4].contains(&found.dyads.len()), "{found:?}");
         for (pivot, point) in given.pivots.into_iter().zip(given.points) {
             let off = |dyad: &Dyad| match *dyad {
                 Dyad::Hinges { pivot: c, point: w } => (c - pivot).norm().max((w - point).norm()),

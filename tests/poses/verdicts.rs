@@ -42,10 +42,15 @@ fn met(task: &Task, linkage: &Linkage, motion: &Motion) -> Vec<Option<f64>> {
     let size = mechanism.size();
     let of = |k: usize| {
         let input = input(task, linkage, motion, k);
+        // The motion takes inputs a turn apart as the same: the one on its arc is wanted.
         let shifts = if motion.cycle().turns() {
-            vec![0.0, TAU, -TAU]
+            vec![0.0, TAU, -TAU, 2.0 * TAU, -2.0 * TAU]
         } else {
             vec![0.0]
+        };
+        let on_arc = |input: &f64| {
+            let holds = |[from, to]: &[f64; 2]| (from - 1e-6..=to + 1e-6).contains(input);
+            motion.cycle().is_full() || motion.cycle().arcs().iter().any(holds)
         };
         let meets = |input: &f64| {
             let Ok(pose) = motion.pose::<1>(*input) else {

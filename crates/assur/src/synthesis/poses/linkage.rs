@@ -1,7 +1,7 @@
 //! Linkages of two dyads: their order, lengths and specification.
 
 use super::dyad::Dyad;
-use super::task::Task;
+use super::task::{Place, Task};
 use super::verdict::{LinkageError, Verdict, verdict};
 use crate::linkage::{DriverSpec, FRAME, LinkageSpec, PointSpec};
 use crate::sorting::extremes;
@@ -75,13 +75,13 @@ impl Linkage {
                 lengths.push((point - pivot).norm());
             }
         }
-        match dyads.each_ref().map(Dyad::point) {
-            [super::Place::Finite(a), super::Place::Finite(b)] => lengths.push((b - a).norm()),
-            _ => {}
-        }
-        match dyads.each_ref().map(Dyad::centre) {
-            [super::Place::Finite(a), super::Place::Finite(b)] => lengths.push((b - a).norm()),
-            _ => {}
+        for ends in [
+            dyads.each_ref().map(Dyad::point),
+            dyads.each_ref().map(Dyad::centre),
+        ] {
+            if let [Place::Finite(a), Place::Finite(b)] = ends {
+                lengths.push((b - a).norm());
+            }
         }
         let [least, most] = extremes(lengths.into_iter());
         (least > 0.0).then_some([least, most])
@@ -161,13 +161,12 @@ impl Linkage {
             });
             coupler.push(name);
         }
-        let names = |all: &[String]| -> Vec<String> { all.to_vec() };
         spec.frame = frame;
         links.insert(1, ("coupler".to_owned(), Vec::new()));
         for (name, points) in &links {
             spec = spec.bar(name, points);
         }
-        spec.links[1].points = names(&coupler);
+        spec.links[1].points = coupler;
         for (link, point, on, line) in slides {
             spec = spec.slide(&link, point, on, line);
         }
@@ -216,8 +215,8 @@ impl Linkage {
             .iter()
             .flat_map(|dyad| [dyad.point(), dyad.centre()]);
         let points = points.filter_map(|place| match place {
-            super::Place::Finite(point) => Some(point),
-            super::Place::Infinite(_) => None,
+            Place::Finite(point) => Some(point),
+            Place::Infinite(_) => None,
         });
         let all: Vec<Vector> = poses.chain(points).map(|point| point.coords).collect();
         crate::linkage::spec::extent(all.into_iter()).max(f64::MIN_POSITIVE)
