@@ -202,7 +202,8 @@ fn table(out: &mut impl Write, task: &Task, found: &Solutions) -> Result<(), Fai
     if let Some(special) = &found.special {
         writeln!(out, "{}", words::special(special))?;
     }
-    if found.special.is_none() && found.freedoms > 0 && found.dyads.is_empty() {
+    let is_family = found.freedoms > 0 && found.special != Some(Special::Parallel);
+    if is_family && found.dyads.is_empty() {
         writeln!(out, "{}", words::WANTED)?;
     }
     let number = |value: f64| words::value(&json!(value));

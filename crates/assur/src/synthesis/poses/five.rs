@@ -324,7 +324,7 @@ fn basis(given: [Vector4<f64>; 2]) -> [Vector4<f64>; 2] {
     }
     for k in 0..4 {
         let rest = remainder(Matrix4::identity().column(k).into_owned(), basis.iter());
-        // The greatest of four such rests has a norm of at least √½, as two of the four dimensions are left.
+        // With one vector given, the longest of four such rests has a norm of at least √¾.
         if basis.len() < 2 && rest.norm() > 0.5 {
             basis.push(rest.normalize());
         }

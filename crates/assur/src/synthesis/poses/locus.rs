@@ -52,17 +52,15 @@ impl Task {
     /// pole. With the poles of the first pose it forms the pole triangle of three poses.
     pub fn image_pole(&self, j: usize, k: usize) -> Option<Place> {
         let pole = self.pole_triple(j, k)?;
-        let order = |k: usize| self.distinct().iter().position(|one| *one == k);
-        Some(self.place(match order(j)? {
+        Some(self.place(match self.order(j)? {
             0 => pole,
             place => self.displacements()[place - 1].back(pole),
         }))
     }
 
     fn pole_triple(&self, j: usize, k: usize) -> Option<Triple> {
-        let order = |k: usize| self.distinct().iter().position(|one| *one == k);
         let all = self.displacements();
-        match (order(j)?, order(k)?) {
+        match (self.order(j)?, self.order(k)?) {
             (j, k) if j == k => None,
             (0, k) | (k, 0) => Some(all[k - 1].pole()),
             (j, k) => Some(all[j - 1].to(&all[k - 1]).pole()),

@@ -56,6 +56,8 @@ pub struct Task {
     poses: Vec<Pose>,
     /// Indices of the poses that differ from all earlier ones.
     distinct: Vec<usize>,
+    /// For each pose, the place in `distinct` of the pose that it equals.
+    order: Vec<usize>,
     /// Mean of the places of the body's origin.
     origin: Vector,
     /// Length by which coordinates are divided, so that the coefficients of all equations have like magnitudes.
@@ -111,11 +113,14 @@ impl Task {
         let origin = places.clone().sum::<Vector>() / count as f64;
         let spread = places.map(|place| (place - origin).norm());
         let spread = spread.fold(0.0, f64::max);
+        let size = spread.max(tolerance::EXACT * origin.norm());
         let mut distinct: Vec<usize> = Vec::new();
+        let mut order = Vec::new();
         for (k, pose) in poses.iter().enumerate() {
-            let size = spread.max(tolerance::EXACT * origin.norm());
             let same = |j: &usize| is_same(pose, &poses[*j], size);
-            if !distinct.iter().any(same) {
+            let earlier = distinct.iter().position(same);
+            order.push(earlier.unwrap_or(distinct.len()));
+            if earlier.is_none() {
                 distinct.push(k);
             }
         }
@@ -143,6 +148,7 @@ impl Task {
             poses: poses.to_vec(),
             displacements: moved(unit),
             distinct,
+            order,
             origin,
             unit,
         })
@@ -162,6 +168,11 @@ impl Task {
     pub fn repeated(&self) -> Vec<usize> {
         let all = 0..self.poses.len();
         all.filter(|k| !self.distinct.contains(k)).collect()
+    }
+
+    /// Place among the distinct poses of the one that pose `k` equals.
+    pub(super) fn order(&self, k: usize) -> Option<usize> {
+        self.order.get(k).copied()
     }
 
     /// Displacements from the first pose to the other distinct poses.
@@ -261,6 +272,10 @@ mod tests {
         let task = Task::new(&poses).unwrap();
         assert_eq!(task.distinct(), [0, 1, 3]);
         assert_eq!(task.repeated(), [2]);
+        assert_eq!(
+            [0, 1, 2, 3, 4].map(|k| task.order(k)),
+            [Some(0), Some(1), Some(0), Some(2), None]
+        );
     }
 
     /// The point (1, 0) of the body goes to (5, 1) when the body's origin moves to (5, 0) and turns by 90°.
