@@ -12,16 +12,19 @@ export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, l
 export type ActingHere = { symbol: string, couple: boolean, 
 /** Components of the force; null if indeterminate, and for a couple. */ x: number | null, y: number | null, 
 /** Magnitude of the force, or the couple; null if indeterminate. */ size: number | null, 
-/** Direction of the force from the x-axis, radians. */ direction: number | null, 
-/**
- * Signs −1, 0 or 1 in the equations of equilibrium: of the components x and y, then of the moments about each of the
- * points; null if indeterminate.
- */
-signs: Array<number> | null, };
+/** Direction of the force from the x-axis, radians. */ direction: number | null, };
+export type AddendHere = { symbol: string, 
+/** Number of an unknown; null for a given force or couple. */ unknown: number | null, 
+/** Direction of the force in its sense, radians from the x-axis; null for a couple. */ direction: number | null, 
+/** Factors in ΣX, ΣY and ΣM; the last is the arm with the sign of its moment, or the sense of a couple. */ factors: [number, number, number], 
+/** Size in this sense, in N or N·m; null if indeterminate. */ size: number | null, 
+/** Whether the signs given for ΣX, ΣY and ΣM are right; null where none is given. */ signs: [boolean | null, boolean | null, boolean | null], 
+/** Whether the given arm is right; null if none is given. */ arm: boolean | null, };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
 export type AppliedHere = { kind: "weight" | "inertia" | "load" | "spring" | "damper" | "friction", 
 /** Index of the load, spring, damper or friction in its list. */ index: number | null, link: string, x: number, y: number, 
+/** Magnitude of the force. */ value: number, 
 /** Couple, positive counter-clockwise. */ couple: number, };
 export type AssembliesHere = { 
 /** Assemblies in ascending order of `angle`. */ all: Array<AssemblyHere>, 
@@ -121,6 +124,9 @@ export type DriveHere = {
 /** Name of the quantity that can be plotted: `crank.torque` or `slider.force`. */ name: string, link: string, kind: "torque" | "force", value: number | null, };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
+export type EquilibriumHere = { 
+/** Points about which moments can be taken: those of the link first. */ points: Array<string>, addends: Array<AddendHere>, 
+/** The link with the unknowns in the chosen senses, all equally long. */ picture: ForcePictureHere, };
 export type FamilyCurve = { l2: Array<number>, l3: Array<number>, verdicts: ("turns" | "rocks" | "disorder" | "branch")[], };
 export type FamilySummary = { 
 /** Minimum and maximum of l₁ (coupler), l₂ (output) and l₃ (input); a null maximum means no limit. */ lengths: [[number | null, number | null], [number | null, number | null], [number | null, number | null]], 
@@ -145,8 +151,7 @@ export type ForceTermHere = { symbol: string, couple: boolean,
 /** Direction of the force from the x-axis, radians. */ direction: number, 
 /** Moment, or component along the line. */ value: number, 
 /** Arm of the force, in the unit of lengths; null if there is none. */ arm: number | null, };
-export type ForcesHere = { reactions: Array<ReactionHere>, drives: Array<DriveHere>, applied: Array<AppliedHere>, 
-/** Force with which the moving links shake the frame, x and y, and its moment about the origin. */ shaking: [number, number, number], 
+export type ForcesHere = { reactions: Array<ReactionHere>, drives: Array<DriveHere>, applied: Array<AppliedHere>, shaking: ShakingHere, 
 /** Power that friction takes, W; none without friction. */ lost: number | null, 
 /**
  * Efficiency of the first driver; none without friction, and if the driver does no work. Not positive: the loads cannot
@@ -161,8 +166,7 @@ export type FoundSummary = {
 /** Decimal logarithm of ΣJ as a function of l₂ and l₃. */ sum: PlaneSummary, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
 export type FreeBodyHere = { 
-/** Numbers and names of the links that can be chosen. */ links: Array<[string, string]>, 
-/** Points of the link about which moments can be taken. */ points: Array<string>, acting: Array<ActingHere>, picture: ForcePictureHere, };
+/** Numbers and names of the links that can be chosen. */ links: Array<[string, string]>, acting: Array<ActingHere>, picture: ForcePictureHere, };
 export type FunctionSummary = { 
 /** Values of x at equal steps, each with the error of y; null if the linkage does not reach x. */ curve: Array<[number, number | null]>, 
 /** Value of x with the greatest error, and this error; none if the linkage reaches no part of the interval. */ greatest: [number, number] | null, 
@@ -201,6 +205,12 @@ limits: BodyNumbers | null,
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
+export type GreatestForces = { greatest: Array<GreatestHere>, 
+/**
+ * Number of poses in which they are sought, and in how many of these friction holds the linkage whatever the driver
+ * does, so that there are no reactions.
+ */
+poses: number, locked: number, };
 export type GreatestHere = { 
 /** Name of the quantity. */ name: string, 
 /** Its value with the greatest magnitude; none if it is statically indeterminate everywhere. */ value: number | null, 
@@ -372,6 +382,10 @@ export type SeriesLayout = { name: string,
 /** The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle. */ number: string | null, role: string, 
 /** The value of the curve, if it is constant; radians for an angle. */ level: number | null, };
 export type ShaftNumbers = { sun: number, carrier: number, ring: number, };
+export type ShakingHere = { 
+/** Name of its magnitude among the quantities that can be plotted. */ name: string, value: number, 
+/** Direction of the force, radians from the x-axis; none for a force of zero. */ direction: number | null, 
+/** Moment about the origin. */ moment: number, };
 export type SolutionSummary = { 
 /** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
 /** Starting angles φ₂₀ of the output and φ₃₀ of the input, radians. */ starts: [number, number], 
@@ -383,6 +397,11 @@ export type StepSummary = { judged: number, accepted: boolean, before: number, r
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type StudentSheet = { 
+/** Place of the link in the list of moving links, from 0. */ link: number, 
+/** Place of the point of moments among `points` of the result, from 0. */ about: number, 
+/** Numbers of the unknowns whose senses are reversed. */ reversed: Array<number>, 
+/** For each addend its signs −1, 0 or 1 in ΣX, ΣY and ΣM, and its arm; null where nothing is filled in. */ answers: Array<[number | null, number | null, number | null, number | null]>, };
 export type SuggestionSummary = { z1: number, z2: number, z2_step: number | null, z4: number, };
 export type SweepColumn = { 
 /** Name of the column, as in all tables: `rocker.dangle`. */ name: string, 

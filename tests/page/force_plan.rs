@@ -127,7 +127,7 @@ async fn the_lever_and_the_plan_give_the_same_torque() {
     let script = "return [...document.querySelectorAll('#force-body-numbers [data-force]')].map((row) => row.dataset.force)";
     let forces = page.ask(script).await;
     assert_eq!(forces, json!(["G₃", "F₁", "R₂₃", "R₀₃"]));
-    // The exercise hides the numbers, and its sheet has blanks.
+    // The exercise hides the numbers and shows the unknowns in the senses that are chosen.
     page.ask("document.getElementById('force-exercise').open = true")
         .await;
     page.settle().await;
@@ -135,7 +135,36 @@ async fn the_lever_and_the_plan_give_the_same_torque() {
     assert_eq!(page.ask(hidden).await, json!(true));
     page.click("force-exercise-check").await;
     let said = page.text("force-exercise-said").await;
-    assert_eq!(said, "Wrong: 0; not yet answered: 12.");
+    // Weight and load, the components in C, force and moment of the guide; a couple is in one sum only.
+    assert_eq!(said, "Wrong: 0; not yet answered: 16.");
+    let before = page.picture("free-body-picture").await;
+    page.ask(
+        "const sense = document.querySelector('#force-exercise tbody tr:nth-child(3) select');
+        sense.value = 'reversed'; sense.dispatchEvent(new Event('change'))",
+    )
+    .await;
+    page.settle().await;
+    let reversed = page.picture("free-body-picture").await;
+    assert!(reversed.difference(&before) > 50);
+    // Right signs for these senses give the values; all forces meet in C, so no force has a moment about it.
+    page.ask(
+        "const fields = [...document.querySelectorAll('#force-exercise tbody tr')].map((row) => [...row.querySelectorAll('select')].slice(-3));
+        const sense = (row) => document.querySelectorAll('#force-exercise tbody tr')[row].querySelector('select').selectedOptions[0].textContent;
+        const signs = { '→': '+00', '←': '−00', '↑': '0+0', '↓': '0−0', '↺': '00+', '↻': '00−' };
+        ['0−0', '−00', signs[sense(2)], signs[sense(3)], signs[sense(4)], signs[sense(5)]].forEach((row, k) => {
+            [...row].forEach((sign, at) => { if (!fields[k][at].disabled) fields[k][at].value = sign; });
+        });",
+    )
+    .await;
+    page.click("force-exercise-check").await;
+    let said = page.text("force-exercise-said").await;
+    assert!(said.starts_with("All is right."), "{said}");
+    let values = "return [...document.querySelectorAll('#force-exercise-found [data-force]')].map((one) => [one.dataset.force, Number(one.dataset.value)])";
+    let values: Vec<(String, f64)> = serde_json::from_value(page.ask(values).await).unwrap();
+    let size = |symbol: &str| values.iter().find(|(name, _)| name == symbol).unwrap().1;
+    assert!((size("R₂₃ˣ").abs() - 100.0).abs() < 1e-9, "{values:?}");
+    assert!((size("R₂₃ʸ").abs() - 80.0).abs() < 1e-9, "{values:?}");
+    assert!((size("R₀₃").abs() - 100.0).abs() < 1e-9, "{values:?}");
     page.screen((360, 740), 2.0).await;
     named_and_fits(&page).await;
     page.close().await;

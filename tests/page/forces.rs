@@ -97,3 +97,29 @@ async fn reactions_are_arrows_a_table_and_plots() {
     named_and_fits(&page).await;
     page.close().await;
 }
+
+#[tokio::test]
+async fn counterweights_are_added_once_and_undone() {
+    let page = heavy().await;
+    page.click("forces").await;
+    page.choose("plot", "frame.shaking").await;
+    assert_eq!(page.text("problem").await, "");
+    page.click("balance").await;
+    page.until("the counterweight of the crank", async || {
+        page.count("#masses details").await == 4
+    })
+    .await;
+    assert_eq!(page.text("balance-why").await, "");
+    page.click("balance").await;
+    page.until("the reason", async || {
+        let said = page.text("balance-why").await;
+        said.starts_with("Nothing to balance")
+    })
+    .await;
+    page.click("undo").await;
+    assert_eq!(page.count("#masses details").await, 3);
+    assert_eq!(page.text("balance-why").await, "");
+    page.screen((360, 740), 2.0).await;
+    named_and_fits(&page).await;
+    page.close().await;
+}

@@ -234,6 +234,12 @@ fn forces_group_by_group_are_those_of_all_equations_at_once() {
             assert!(off.abs() <= bound * unit, "seed {seed}, {spec:?}: {off:e}");
             driven += own * spec.rate() * rates[0];
         }
+        let off = plans::equations((mechanism, &pose), &forces, &found, seed);
+        // A factor below 1e-9 is written as zero.
+        let least = bound.max(1e-9 * greatest);
+        assert!(off.force <= least, "seed {seed}: {:e}", off.force);
+        let moment = off.moment / mechanism.size();
+        assert!(moment <= least, "seed {seed}: {moment:e}");
         let plan = forces.plan(&found);
         let plan = plan.unwrap_or_else(|error| panic!("seed {seed}: {error:?}"));
         for step in &plan.steps {

@@ -211,6 +211,7 @@ pub(super) const ORDERS: &[&str] = &["crates/assur-draw/src/chart.rs"];
 /// Who names links: the mechanisms of the catalogue, the mixer, the engine its frame.
 pub(super) const LINKS: &[&str] = &[
     "crates/assur/src/linkage/spec.rs",
+    "crates/assur-edit/src/masses.rs",
     "crates/assur-file/src/kinds/mixer.rs",
     "crates/assur-file/catalogue/cardan-trammel.json",
     "crates/assur-file/catalogue/chebyshev.json",

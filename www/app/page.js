@@ -237,17 +237,16 @@ export class Page {
   }
 
   /**
-   * Adds a table of words to those of the page, in any language.
+   * Adds the words of forces and of motion under load to those of the page, in any language.
    * @template T
-   * @param {string} path of the table, with * for the language
    * @param {Promise<T>} part that needs the words
    * @returns {Promise<T>} the part, once the words are there
    */
-  async withWords(path, part) {
+  async withForces(part) {
     const loaded = await part;
     let words;
     // Another language may have been chosen during the load.
-    do words = await Words.extended(path, this.words.lang);
+    do words = await Words.extended("forces/words.*", this.words.lang);
     while (words.lang !== this.words.lang);
     this.#applyWords(words);
     return loaded;

@@ -33,22 +33,17 @@ import { moves } from "assur/state/model.js";
  * @typedef {(page: Page) => readonly View[]} Make makes the views of a kind; they get snapshots of this kind only
  */
 
-/** Words of forces and of motion under load. */
-const FORCES = "forces/words.*";
-
 /** @type {Readonly<Record<"all_assemblies" | "polygons" | "forces" | "force_plan" | "under_load" | "curvature", (page: Page) => Promise<MotionView>>>} views loaded when their switch is on */
 const PANELS = Object.freeze({
   all_assemblies: async (page) => new (await import("assur/assemblies/panel.js")).Assemblies(page),
   polygons: async (page) => new (await import("assur/polygons/panel.js")).Polygons(page),
-  forces: async (page) => new (await page.withWords(FORCES, import("assur/forces/panel.js"))).Forces(page),
-  force_plan: async (page) => new (await page.withWords(FORCES, import("assur/force-plan/panel.js"))).ForcePlan(page),
-  under_load: async (page) => new (await page.withWords(FORCES, import("assur/under-load/panel.js"))).UnderLoad(page),
+  forces: async (page) => new (await page.withForces(import("assur/forces/panel.js"))).Forces(page),
+  force_plan: async (page) => new (await page.withForces(import("assur/force-plan/panel.js"))).ForcePlan(page),
+  under_load: async (page) => new (await page.withForces(import("assur/under-load/panel.js"))).UnderLoad(page),
   curvature: async (page) => new (await import("assur/plots/curvature.js")).Curvature(page),
 });
 /** Fold of the rail that loads its content when it is first opened. */
 const LOADS = "fold-loads";
-/** Name of a plotted force. */
-const OF_FORCES = /\.(reaction\w*|torque|force)$/;
 const PANEL_NAMES = Object.freeze(/** @type {(keyof typeof PANELS)[]} */ (Object.keys(PANELS)));
 
 /** @type {Readonly<Record<"drawing", (page: Page) => Promise<View>>>} views loaded when their switch is on, even if the document has no motion */
@@ -130,10 +125,9 @@ export class Views {
     this.#rendering.all(this.#views, snapshot);
     for (const name of TOOL_NAMES) if (state.view[name]) this.#bringLater(name, TOOLS[name], this.#views);
     for (const name of PANEL_NAMES) if (state.view[name]) this.#bringLater(name, PANELS[name], this.#moving);
-    const { plot, against } = state.view;
-    if ([plot, against?.x ?? "", against?.y ?? ""].some((name) => OF_FORCES.test(name))) this.#bringLater("forces", PANELS.forces, this.#moving);
+    if (this.#page.engine.simulator.plotsForces()) this.#bringLater("forces", PANELS.forces, this.#moving);
     if (byId(LOADS, HTMLDetailsElement).open) {
-      this.#bringLater(LOADS, async (page) => new (await page.withWords(FORCES, import("assur/forces/loads.js"))).LoadFold(page), this.#moving);
+      this.#bringLater(LOADS, async (page) => new (await page.withForces(import("assur/forces/loads.js"))).LoadFold(page), this.#moving);
     }
     if (moves(snapshot)) this.#rendering.all(this.#moving, snapshot);
     if (state.kind !== kind) return;

@@ -18,7 +18,7 @@ const DIMENSION = /^(links|slides|points)\[(\d+)\]\.(\w+?)(?:_deg)?((?:\[\d+\])*
 /** A length that is not a dimension of a linkage: `l1` of a mixer, the module of a train, the frame of a synthesis, `x` of a traced point. */
 const LENGTH = /^(?:l\d|module|frame|tracers\[\d+\]\.[xy])$/;
 /** Keys of the names of links' dimensions. */
-const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner" }));
+const OF_LINKS = Object.freeze(/** @type {Record<string, string>} */ ({ length: "field.links.length", side: "field.links.side", corner: "field.links.corner", mass_kg: "field.masses.mass", inertia: "field.masses.inertia" }));
 /** A number in a list, such as `bodies.inertia[2]`, or in a list of pairs. */
 const NUMBER = /^([\w.]+)\[(\d+)\](?:\[\d\])?$/;
 
@@ -34,6 +34,7 @@ const LINKS = Object.freeze(["link", "shaft", "to", "mesh"]);
 /** Parameters of a problem that are lengths, unless the problem's field is a rate or an angle. */
 const LENGTHS = Object.freeze(["by", "last"]);
 const RATE = /\.rate$/;
+const MASS = /\.(mass_kg|inertia)$/;
 /** An angle: `links[2].corner_deg[2]`, `wheels[0].centre_line_deg`. */
 const ANGLE = /_deg(?:\[|$)/;
 
@@ -45,7 +46,7 @@ const ANGLE = /_deg(?:\[|$)/;
  */
 export function measuredAs(field, number, words) {
   if (ANGLE.test(field)) return `${number}°`;
-  return DIMENSION.test(field) || LENGTH.test(field) ? words.length(number) : number;
+  return (DIMENSION.test(field) && !MASS.test(field)) || LENGTH.test(field) ? words.length(number) : number;
 }
 
 /**

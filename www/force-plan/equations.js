@@ -9,10 +9,13 @@ import { amount } from "assur/polygons/equations.js";
  * @typedef {import("assur/types/web.js").ForceTermHere} Term
  * @typedef {import("assur/types/web.js").LeverHere} Lever
  * @typedef {import("assur/types/web.js").ActingHere} Acting
+ * @typedef {import("assur/types/web.js").AddendHere} Addend
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {Readonly<{ force: string, torque: string, length: string }>} Units
  */
 
+/** Sums of the equations of equilibrium; moments are about a point of the student's choice. */
+export const SUMS = Object.freeze(["ΣX", "ΣY", "ΣM"]);
 /** Addends smaller than this share of the largest are rounding errors. */
 const NEGLIGIBLE = 1e-12;
 /** Keys of the titles of steps. */
@@ -31,7 +34,7 @@ const TITLES = Object.freeze({
  */
 export function unitsOf(words, lengths) {
   if (lengths === "none") return { force: "", torque: "", length: "" };
-  return { force: words.text("forces.unit.newton"), torque: words.text("forces.unit.newton_metre"), length: words.unit };
+  return { force: words.text("unit.newton"), torque: words.text("unit.newton_metre"), length: words.unit };
 }
 
 /**
@@ -167,4 +170,29 @@ export function freeBodyTable(acting, units, words) {
     <td>${couple ? "" : cell(x, units.force)}</td><td>${couple ? "" : cell(y, units.force)}</td>
     <td>${cell(size, couple ? units.torque : units.force)}</td><td>${direction === null ? "" : angleOf(direction, words)}</td></tr>`);
   return html`<table><thead><tr><th>${words.text("force_plan.force")}</th><th>x</th><th>y</th><th>${words.text("force_plan.size")}</th><th>${words.text("force_plan.direction")}</th></tr></thead><tbody>${rows}</tbody></table>`;
+}
+
+/**
+ * The equations of equilibrium in the chosen senses, and the unknowns that they give; negative ones act in the opposite sense.
+ * @param {readonly Addend[]} addends
+ * @param {string} about point of moments
+ * @param {Units} units
+ * @param {Words} words
+ */
+export function equilibriumOf(addends, about, units, words) {
+  const equations = SUMS.map((sum, k) => {
+    const terms = addends.filter(({ factors }) => factors[k] !== 0);
+    const written = terms.map(({ symbol, direction, factors }, i) => {
+      const [factor, size] = [factors[k], Math.abs(factors[k])];
+      const by = Math.abs(size - 1) < NEGLIGIBLE ? "" : `·${amount(size, k === 2 && direction !== null ? units.length : "", words)}`;
+      return `${factor < 0 ? (i > 0 ? " − " : "−") : i > 0 ? " + " : ""}${symbol}${by}`;
+    });
+    return html`<p>${sum}${k === 2 ? html`<sub>${about}</sub>` : nothing} = ${written.join("") || "0"}${written.length > 0 ? " = 0" : nothing}</p>`;
+  });
+  const sizes = addends.map(({ symbol, unknown, direction, size }) => {
+    const unit = direction === null ? units.torque : units.force;
+    const value = size === null ? "?" : amount(size, unit, words);
+    return html`<p class=${unknown === null ? "note" : "found"} data-force=${symbol} data-value=${size ?? ""}>${symbol} = ${value}</p>`;
+  });
+  return html`${equations}${sizes}`;
 }

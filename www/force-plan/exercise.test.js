@@ -1,4 +1,4 @@
-// The exercise on a free body: its signs are judged by those of the engine.
+// The exercise on a free body: senses and point of the student's choice, answers judged by the engine.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -10,45 +10,96 @@ import { Page } from "assur/tests/page.js";
 
 const later = Object.entries(JSON.parse(readFileSync(new URL("../forces/words.en.json", import.meta.url), "utf8")));
 const words = new Words("en", new Map([...tableOf("en"), ...later]), "m");
-const SIGNS = { "-1": "−", 0: "0", 1: "+" };
+const INPUT = Math.PI / 3;
+const UNITS = { force: "N", torque: "N·m", length: "m" };
 
-/** The rod of a slider-crank at rest under its weight. */
+/** The rod of a slider-crank at rest under its weight, with its sheet. */
 function rod() {
-  const page = new Page("slider-crank", { phi_deg: 60, omega: 0, playing: false });
-  const state = page.store.get();
+  const { engine, store } = new Page("slider-crank", { phi_deg: 60, omega: 0, playing: false });
+  const state = store.get();
   const links = state.document.links.map((link) => (link.name === "rod" ? { ...link, mass: 2 } : link));
-  page.engine.set({ ...state, document: { ...state.document, links, gravity: [0, -10] } });
-  return page.engine.simulator.freeBody(Math.PI / 3, 1);
+  engine.set({ ...state, document: { ...state.document, links, gravity: [0, -10] } });
+  const show = () => exercise.show({ input: INPUT, link: 1, name: "2: rod", units: UNITS });
+  const exercise = new Exercise({ words, engine, redraw: () => show() });
+  show();
+  document.body.replaceChildren(exercise.element);
+  const { element } = exercise;
+  const about = element.querySelector("#force-exercise-about");
+  const rows = () => all(element, "tbody tr").map((row) => ({ signs: all(row, "select").slice(-3), sense: all(row, "select").at(-4), arm: row.querySelector("input") }));
+  const addends = (reversed = []) => engine.simulator.equilibrium(INPUT, { link: 1, about: about.selectedIndex, reversed, answers: [] }).addends;
+  return { exercise, element, about, rows, addends, show };
 }
 
-test("right signs are right, wrong ones are marked, and those of moments follow the point", () => {
-  const body = rod();
-  assert.deepEqual(body.points, ["B", "C"]);
-  const exercise = new Exercise(() => words);
-  document.body.append(exercise.element);
-  exercise.show(body, "2: rod");
-  const fields = all(exercise.element, "tbody select");
-  assert.equal(fields.length, 3 * body.acting.length);
+/** Fills in the right signs, and the arms of given forces. */
+function answer(rows, addends) {
+  addends.forEach(({ factors, direction }, row) => {
+    rows[row].signs.forEach((field, k) => {
+      if (!field.disabled) field.value = factors[k] > 0 ? "+" : factors[k] < 0 ? "−" : "0";
+    });
+    if (direction !== null) rows[row].arm.value = Math.abs(factors[2]).toFixed(3);
+  });
+}
+
+test("right signs and arms are right, wrong ones are marked, and moments follow the point", () => {
+  const { element, about, rows, addends } = rod();
+  assert.deepEqual([...about.options].slice(0, 2).map(({ textContent }) => textContent), ["B", "C"]);
+  const fields = () => rows().flatMap(({ signs }) => signs).filter(({ disabled }) => !disabled);
   const check = () => {
-    exercise.element.querySelector("#force-exercise-check").click();
-    return exercise.element.querySelector("#force-exercise-said").textContent;
+    element.querySelector("#force-exercise-check").click();
+    return element.querySelector("#force-exercise-said").textContent;
   };
-  assert.equal(check(), `Wrong: 0; not yet answered: ${fields.length}.`);
-  const about = exercise.element.querySelector("#force-exercise-about");
-  const answer = (point) => body.acting.forEach(({ signs }, row) => [0, 1, 2 + point].forEach((at, k) => {
-    fields[3 * row + k].value = SIGNS[signs[at]];
-  }));
-  answer(1);
+  assert.equal(check(), `Wrong: 0; not yet answered: ${fields().length}.`);
   about.selectedIndex = 1;
-  assert.equal(check(), "All signs are right.");
+  about.dispatchEvent(new Event("change"));
+  answer(rows(), addends());
+  assert.match(check(), /^All is right/);
+  assert.equal(all(element, "#force-exercise-found [data-force]").length, addends().length);
   // The weight turns the rod one way about one end, and the other way about the other.
-  const weight = body.acting.find(({ symbol }) => symbol === "G₂");
-  assert.deepEqual(weight.signs, [0, -1, -1, 1]);
+  const turn = () => Math.sign(addends().find(({ symbol }) => symbol === "G₂").factors[2]);
+  const first = turn();
   about.selectedIndex = 0;
-  assert.match(check(), /^Wrong: [1-9]; not yet answered: 0\.$/);
-  assert.ok(all(exercise.element, "[aria-invalid]").length > 0);
-  // On paper there are blanks and no answers.
+  about.dispatchEvent(new Event("change"));
+  assert.equal(turn(), -first);
+  assert.match(check(), /^Wrong: [1-9]\d*; not yet answered: 0\.$/);
+  assert.ok(all(element, "[aria-invalid]").length > 0);
+  assert.equal(all(element, "#force-exercise-found [data-force]").length, 0);
+  // An arm that is no number is wrong, too.
+  answer(rows(), addends());
+  assert.match(check(), /^All is right/);
+  rows()[0].arm.value = "long";
+  assert.equal(check(), "Wrong: 1; not yet answered: 0.");
+});
+
+test("an unknown in the opposite sense has opposite signs and an opposite value", () => {
+  const { exercise, element, rows, addends } = rod();
+  const value = (symbol) => Number(element.querySelector(`#force-exercise-found [data-force='${symbol}']`).dataset.value);
+  const check = () => {
+    element.querySelector("#force-exercise-check").click();
+    return element.querySelector("#force-exercise-said").textContent;
+  };
+  answer(rows(), addends());
+  assert.match(check(), /^All is right/);
+  const row = addends().findIndex(({ unknown, size }) => unknown !== null && Math.abs(size) > 1);
+  const { symbol, unknown, factors } = addends()[row];
+  const before = value(symbol);
+  const { sense } = rows()[row];
+  assert.deepEqual([...sense.options].map(({ textContent }) => textContent), factors[1] < 0 ? ["↓", "↑"] : ["↑", "↓"]);
+  sense.value = "reversed";
+  sense.dispatchEvent(new Event("change"));
+  assert.match(check(), /^Wrong: [1-9]/);
+  answer(rows(), addends([unknown]));
+  assert.match(check(), /^All is right/);
+  assert.equal(value(symbol), -before);
+  // The sheet has what is filled in.
   const paper = exercise.onPaper();
-  assert.equal(all(paper, ".cell").length, fields.length);
+  assert.equal(all(paper, ".cell").length, 4 * addends().length);
+  assert.equal(all(paper, "[data-force]").length, addends().length);
+});
+
+test("the sheet on paper has blanks before anything is filled in, and no values", () => {
+  const { exercise } = rod();
+  const paper = exercise.onPaper();
   assert.ok(all(paper, ".cell").every(({ textContent }) => textContent === ""));
+  assert.equal(all(paper, "[data-force]").length, 0);
+  assert.equal(all(paper, ".blank").length, 3);
 });

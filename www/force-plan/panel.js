@@ -42,6 +42,8 @@ export class ForcePlan {
   #exercise;
   #sheets;
   #folds;
+  /** What is said of friction circles, if there are any. */
+  #circle;
   #shownParts;
   /** @type {Plan | null} */
   #here = null;
@@ -50,7 +52,7 @@ export class ForcePlan {
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
-    this.#exercise = new Exercise(() => page.words);
+    this.#exercise = new Exercise(page);
     this.#exercise.element.addEventListener("toggle", () => page.redraw());
     this.#sheets = { plan: new Sheet(page, "force-plan"), lever: new Sheet(page, "force-lever"), body: new Sheet(page, "free-body") };
     const beside = (/** @type {Sheet} */ sheet, /** @type {HTMLElement} */ numbers) => make("div", { class: "beside" }, [sheet.element, numbers]);
@@ -62,7 +64,8 @@ export class ForcePlan {
       body: make("div", { id: "force-body" }, [choice, beside(this.#sheets.body, make("div", {}, [this.#acting, this.#exercise.element]))]),
     };
     const notation = make("p", { class: "note", "data-t": "force_plan.notation" });
-    this.#shownParts = make("div", {}, [make("div", { class: "segments", role: "group", "data-t-label": "force_plan.heading" }, this.#tabs), ...Object.values(this.#folds), notation]);
+    this.#circle = make("p", { class: "note", id: "force-circle", "data-t": "force_plan.circle" });
+    this.#shownParts = make("div", {}, [make("div", { class: "segments", role: "group", "data-t-label": "force_plan.heading" }, this.#tabs), ...Object.values(this.#folds), this.#circle, notation]);
     this.element = make("section", { id: "force-plan-shown", "data-field": "force_plan" }, [make("h2", { "data-t": "force_plan.heading" }), this.#none, this.#shownParts]);
     byId("readouts", HTMLTableElement).after(this.element);
     page.words.fill(this.element);
@@ -94,6 +97,7 @@ export class ForcePlan {
     });
     const units = unitsOf(words, lengths);
     const numbers = snapshot.numbersDue;
+    this.#circle.hidden = true;
     if (this.#tab === "plan") this.#plan(value, units, snapshot);
     if (this.#tab === "lever") {
       const lever = simulator.forceLever(frameInput);
@@ -106,9 +110,10 @@ export class ForcePlan {
       this.#acting.hidden = this.#exercise.open;
       const links = body.links.map(([number, name]) => `${number}: ${called(name, words)}`);
       render(links.map((link) => html`<option>${link}</option>`), this.#link);
-      const link = links[Math.max(this.#link.selectedIndex, 0)];
-      this.#sheets.body.show(body.picture, `${words.text(TABS.body)}, ${link}`);
-      this.#exercise.show(body, link);
+      const at = Math.max(this.#link.selectedIndex, 0);
+      this.#circle.hidden = this.#exercise.open || !body.acting.some(({ symbol }) => symbol.startsWith("Mᶠ"));
+      const own = this.#exercise.open ? this.#exercise.show({ input: frameInput, link: at, name: links[at], units }) : null;
+      this.#sheets.body.show(own ?? body.picture, `${words.text(TABS.body)}, ${links[at]}`);
       if (numbers) render(freeBodyTable(body.acting, units, words), this.#acting);
     }
   }

@@ -58,14 +58,21 @@ export function without(value) {
  * @param {string} field that shows the reason for a refusal
  * @returns {boolean} whether the edit was made
  */
-export function reshape({ engine, store, model, drafts }, wanted, field) {
+export function reshape(page, wanted, field) {
+  const refusal = tried(page, wanted);
+  if (refusal.length > 0) page.drafts.keep(field, refusal);
+  else page.drafts.drop(field);
+  return refusal.length === 0;
+}
+
+/**
+ * @param {Page} page
+ * @param {import("assur/types/edit.js").Edit} wanted
+ * @returns {readonly import("assur/core/problem.js").Problem[]} reasons why the edit is refused; empty if it was made
+ */
+export function tried({ engine, store, model }, wanted) {
   model.follow(store.get());
   const { value: drawn, problems } = attempt(() => engine.simulator.edit(wanted, model.home));
-  if (!drawn) {
-    drafts.keep(field, problems);
-    return false;
-  }
-  drafts.drop(field);
-  store.update((state) => withMechanism(state, drawn.kind, drawn.document));
-  return true;
+  if (drawn) store.update((state) => withMechanism(state, drawn.kind, drawn.document));
+  return problems;
 }

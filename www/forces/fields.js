@@ -7,10 +7,10 @@ import { make } from "assur/core/dom.js";
  * @typedef {readonly (readonly [value: string, text: string])[]} Options
  */
 
-/** Units by their names in the words; that of a moment of inertia and of a centre of mass depends on the unit of lengths. */
-const UNITS = Object.freeze(/** @type {const} */ (["kg", "newton", "newton_metre", "watt", "free_fall", "density", "stiffness", "torsion", "damping", "torsion_damping", "drag", "drag_square", "angular_drag", "angular_drag_square"]));
+/** Units with words of their own; that of a moment of inertia and of a centre of mass depends on the unit of lengths. */
+const UNITS = Object.freeze(/** @type {const} */ (["kg", "watt", "free_fall", "density", "stiffness", "torsion", "damping", "torsion_damping", "drag", "drag_square", "angular_drag", "angular_drag_square"]));
 
-/** @typedef {typeof UNITS[number] | "length" | "area" | "inertia" | "degree" | "none"} Unit */
+/** @typedef {typeof UNITS[number] | "newton" | "newton_metre" | "length" | "area" | "inertia" | "degree" | "none"} Unit */
 
 /**
  * @param {Unit} unit
@@ -23,6 +23,7 @@ export function unitText(unit, words) {
   if (unit === "length") return words.unit;
   if (unit === "area") return `${words.unit}²`;
   if (unit === "inertia") return `${words.text("forces.unit.kg")}·${words.unit}²`;
+  if (unit === "newton" || unit === "newton_metre") return words.text(`unit.${unit}`);
   return words.text(`forces.unit.${unit}`);
 }
 

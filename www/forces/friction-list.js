@@ -1,6 +1,7 @@
 // The list of friction: in the hinges at a point, or in the slides of a link.
-import { make, write } from "assur/core/dom.js";
+import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { card, writeReasons } from "assur/forces/card.js";
 import { linkageOf, putList, without } from "assur/forces/change.js";
 import { Fields, replaced } from "assur/forces/fields.js";
 
@@ -49,10 +50,7 @@ export class FrictionList {
    */
   show(wrong, reason) {
     this.#fields?.show(wrong);
-    list(linkageOf(this.#page)).forEach((_, i) => {
-      const why = this.element.querySelector(`#friction-${i}-why`);
-      if (why) write(why, reason(i));
-    });
+    writeReasons(this.element, this.name, list(linkageOf(this.#page)).length, reason);
   }
 
   #add() {
@@ -78,7 +76,6 @@ export class FrictionList {
    * @param {Words} words
    */
   #card(document, one, i, fields, words) {
-    const id = (/** @type {string} */ end) => `friction-${i}-${end}`;
     const now = () => list(linkageOf(this.#page))[i] ?? one;
     const name = (/** @type {Place} */ { hinge, slide }) => words.text(hinge ? "forces.friction.hinge" : "forces.friction.slide", { name: hinge ?? called(slide ?? "", words) });
     const places = placesOf(document);
@@ -91,12 +88,12 @@ export class FrictionList {
     const number = (/** @type {"coefficient" | "radius" | "length"} */ of, /** @type {string} */ symbol, /** @type {import("assur/forces/fields.js").Unit} */ unit) =>
       fields.number(`friction[${i}].${of}`, { symbol, unit, n }, () => now()[of] ?? 0, (value) => this.#put(i, { [of]: value }));
     const content = [
-      fields.choice(id("place"), "forces.friction.place", options, () => keyOf(now()), move),
+      fields.choice(`friction-${i}-place`, "forces.friction.place", options, () => keyOf(now()), move),
       number("coefficient", "f", "none"),
       one.hinge ? number("radius", "r", "length") : number("length", "l", "length"),
     ];
-    const remove = fields.button(id("remove"), "forces.remove", () => this.#page.history.step(() => putList(this.#page, "friction", (all) => all.filter((_, k) => k !== i))));
-    return make("details", { id: `friction-${i}`, class: "fold within" }, [make("summary", {}, [`${i + 1}. ${name(one)}`]), ...content, make("p", { id: id("why"), class: "forces-why" }), remove]);
+    const remove = () => this.#page.history.step(() => putList(this.#page, "friction", (all) => all.filter((_, k) => k !== i)));
+    return card({ list: this.name, i, title: name(one) }, content, fields, remove);
   }
 }
 

@@ -1,7 +1,8 @@
 // The list of loads: forces, torques and resistances, constant or by the input.
-import { make, write } from "assur/core/dom.js";
+import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { parseNumber } from "assur/core/numbers.js";
+import { card, writeReasons } from "assur/forces/card.js";
 import { linkageOf, putList, without } from "assur/forces/change.js";
 import { Fields, replaced } from "assur/forces/fields.js";
 
@@ -88,10 +89,7 @@ export class Loads {
    */
   show(wrong, reason) {
     this.#fields?.show(wrong);
-    (linkageOf(this.#page).loads ?? []).forEach((_, i) => {
-      const why = this.element.querySelector(`#load-${i}-why`);
-      if (why) write(why, reason(i));
-    });
+    writeReasons(this.element, "load", linkageOf(this.#page).loads?.length ?? 0, reason);
   }
 
   #add() {
@@ -146,9 +144,9 @@ export class Loads {
     } else {
       content.push(...this.#lawRows(load, i, kind, fields, words, now));
     }
-    const heading = make("summary", {}, [`${i + 1}. ${words.text(`forces.loads.${kind}`)}: ${load.point ?? called(load.link, words)}`]);
-    const remove = fields.button(id("remove"), "forces.remove", () => this.#page.history.step(() => putList(this.#page, "loads", (loads) => loads.filter((_, k) => k !== i))));
-    return make("details", { id: `load-${i}`, class: "fold within" }, [heading, ...content, make("p", { id: id("why"), class: "forces-why" }), remove]);
+    const title = `${words.text(`forces.loads.${kind}`)}: ${load.point ?? called(load.link, words)}`;
+    const remove = () => this.#page.history.step(() => putList(this.#page, "loads", (loads) => loads.filter((_, k) => k !== i)));
+    return card({ list: "load", i, title }, content, fields, remove);
   }
 
   /**

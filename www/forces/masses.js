@@ -1,8 +1,9 @@
 // Masses of the links, with their centres of mass and moments of inertia, and gravity.
+import { sentence } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
 import { measured } from "assur/core/units.js";
-import { linkageOf, put, putLink, reshape } from "assur/forces/change.js";
+import { linkageOf, put, putLink, reshape, tried } from "assur/forces/change.js";
 import { Fields, replaced, unitText } from "assur/forces/fields.js";
 
 /**
@@ -23,6 +24,8 @@ export class Masses {
   #names = [];
   /** Section and density from which the mass of a bar is computed; they are not saved. */
   #bar = { section: 0, density: 7850 };
+  /** Reason why there are no counterweights, for the document without them. */
+  #refusal = { document: /** @type {unknown} */ (null), text: "" };
   /** Whether both components of gravity are given. */
   #own = false;
   element = make("div", { id: "masses" });
@@ -64,7 +67,25 @@ export class Masses {
       if (points.length > 1) rows.push(...this.#barOf(i, name, n, fields));
       return make("details", { id: `mass-${i}`, class: "fold within" }, [this.#names[i], ...rows, this.#why(i)]);
     });
-    replaced(this.element, [...this.#gravity(fields, words), ...cards]);
+    const balance = make("div", { class: "forces-acts" }, [fields.button("balance", "forces.balance", () => this.#balance())]);
+    const note = make("p", { class: "forces-consistent" }, [words.text("forces.balance.note")]);
+    replaced(this.element, [...this.#gravity(fields, words), ...cards, balance, note, make("p", { id: "balance-why", class: "forces-why", role: "status" })]);
+  }
+
+  #balance() {
+    const page = this.#page;
+    page.history.step(() => {
+      const problems = tried(page, { edit: "balance" });
+      const { document } = page.store.get();
+      this.#refusal = { document, text: problems.map((problem) => sentence(problem, page.words, document)).join(" ") };
+    });
+    this.#said(linkageOf(page));
+  }
+
+  /** @param {import("assur/state/state.js").LinkageDocument} document */
+  #said(document) {
+    const why = this.element.querySelector("#balance-why");
+    if (why) write(why, this.#refusal.document === document ? this.#refusal.text : "");
   }
 
   /**
@@ -73,7 +94,9 @@ export class Masses {
    * @param {ReadonlySet<string>} wrong fields at fault
    * @param {(index: number) => string} reason why the masses of a link are refused; empty if they are not
    */
-  show({ links }, words, wrong, reason) {
+  show(document, words, wrong, reason) {
+    const { links } = document;
+    this.#said(document);
     this.#masses = this.#page.engine.simulator.masses();
     links.forEach(({ name, mass_kg: mass }, i) => {
       const kilograms = mass ? `: ${measured(words.numbers.short(mass), unitText("kg", words))}` : "";

@@ -14,7 +14,6 @@ import { unitText } from "assur/forces/fields.js";
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  * @typedef {import("assur/types/web.js").ForcesHere} Here
- * @typedef {import("assur/types/web.js").GreatestHere} Greatest
  * @typedef {Here["reactions"][number]} Reaction
  */
 
@@ -30,8 +29,8 @@ export class Forces {
   #none = make("p", { id: "forces-none" });
   #tables = make("div", { class: "forces-tables" });
   #revision = -1;
-  /** @type {readonly Greatest[]} */
-  #greatest = [];
+  /** @type {import("assur/types/web.js").GreatestForces} */
+  #greatest = { greatest: [], poses: 0, locked: 0 };
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
@@ -71,6 +70,7 @@ export class Forces {
         const text = pairText(reaction, words);
         return { name: reaction.name, text: words.text("forces.reaction_of", { name: text }), vector: words.text("forces.hodograph_of", { name: text }) };
       }),
+      { name: value.shaking.name, text: words.text("forces.shaking_of"), vector: words.text("forces.hodograph_of_shaking") },
     ];
   }
 
@@ -78,18 +78,19 @@ export class Forces {
    * @param {Here} here
    * @param {Snapshot} snapshot
    */
-  #written({ reactions, drives, applied, shaking: [x, y, shakes], lost, efficiency }, snapshot) {
+  #written({ reactions, drives, applied, shaking, lost, efficiency }, snapshot) {
     const { words } = snapshot;
     const { numbers } = words;
     // What is zero by equilibrium is not written as the rounding error that it is.
-    const least = ROUNDING * Math.max(...reactions.map(({ value }) => value ?? 0), ...applied.map(({ x, y }) => Math.hypot(x, y)));
+    const least = ROUNDING * Math.max(...reactions.map(({ value }) => value ?? 0), ...applied.map(({ value }) => value));
     const number = (/** @type {number | null} */ value) => (value === null ? INDETERMINATE : numbers.short(Math.abs(value) < least ? 0 : value));
-    const angle = (/** @type {Reaction} */ { value, direction }) => (value === null ? INDETERMINATE : direction === null || value < least ? NONE : `${numbers.fixed(degrees(direction), 1)}°`);
+    const angle = (/** @type {Pick<Reaction, "value" | "direction">} */ { value, direction }) => (value === null ? INDETERMINATE : direction === null || value < least ? NONE : `${numbers.fixed(degrees(direction), 1)}°`);
     const unit = (/** @type {"newton" | "newton_metre"} */ name, /** @type {string} */ symbol) => [symbol, unitText(name, words)].filter(Boolean).join(", ");
     const [newton, moment] = [unit("newton", "R"), unit("newton_metre", "M")];
     const moments = reactions.some(({ kind }) => kind !== "hinge");
     const columns = moments ? 5 : 4;
     const text = (/** @type {string} */ key) => words.text(`forces.${key}`);
+    const { locked, poses } = this.#greatest;
     return html`
       <table id="drives">
         <thead><tr><th scope="col">${text("drivers")}</th><th scope="col">${text("now")}</th><th scope="col">${text("greatest")}</th><th scope="col">${text("at")}</th></tr></thead>
@@ -107,7 +108,8 @@ export class Forces {
         </tbody>`)}
       </table>
       ${reactions.some(({ x, y, moment }) => [x, y, moment].includes(null)) ? html`<p>${words.text("forces.indeterminate", { sign: INDETERMINATE })}</p>` : nothing}
-      <p id="shaking">${words.text("forces.shaking", { force: measured(number(Math.hypot(x, y)), unitText("newton", words)), direction: Math.hypot(x, y) < least ? NONE : `${numbers.fixed(degrees(Math.atan2(y, x)), 1)}°`, moment: measured(number(shakes), unitText("newton_metre", words)) })}</p>
+      <p id="shaking">${words.text("forces.shaking", { force: measured(number(shaking.value), unitText("newton", words)), direction: angle(shaking), moment: measured(number(shaking.moment), unitText("newton_metre", words)) })}</p>
+      ${locked > 0 ? html`<p id="forces-locked">${words.text("forces.locked", { n: numbers.exact(locked), count: numbers.exact(poses) })}</p>` : nothing}
       ${lost === null ? nothing : html`<p id="friction-loss">${words.text("forces.lost", { power: measured(numbers.short(lost), unitText("watt", words)) })} ${efficiency === null ? "" : words.text(efficiency > 0 ? "forces.efficiency" : "forces.no_return", { value: numbers.fixed(efficiency, 3) })}</p>`}
       ${words.unit === "" ? html`<p>${text("consistent")}</p>` : nothing}
       <details id="applied-forces" class="fold within">
@@ -125,7 +127,7 @@ export class Forces {
    * @param {Snapshot} snapshot
    */
   #most(name, { coordinate, words }) {
-    const most = this.#greatest.find((one) => one.name === name);
+    const most = this.#greatest.greatest.find((one) => one.name === name);
     if (!most || most.value === null) return html`<td>${NONE}</td><td></td>`;
     const shown = coordinate.inputShown(most.input);
     return html`<td>${words.numbers.short(most.value)}</td><td><button class="at" type="button" @click=${() => this.#page.drive(shown)}>${coordinate.short(most.input, words, 1)}</button></td>`;

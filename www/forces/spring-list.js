@@ -1,6 +1,7 @@
 // The list of springs, or that of dampers: between two points, or between two links at a hinge.
-import { make, write } from "assur/core/dom.js";
+import { make } from "assur/core/dom.js";
 import { called } from "assur/core/names.js";
+import { card, writeReasons } from "assur/forces/card.js";
 import { linkageOf, putList, without } from "assur/forces/change.js";
 import { Fields, replaced } from "assur/forces/fields.js";
 import { pointsOf } from "assur/forces/load-list.js";
@@ -65,10 +66,7 @@ export class Springs {
    */
   show(wrong, reason) {
     this.#fields?.show(wrong);
-    this.#list(linkageOf(this.#page)).forEach((_, i) => {
-      const why = this.element.querySelector(`#${this.name}-${i}-why`);
-      if (why) write(why, reason(i));
-    });
+    writeReasons(this.element, this.name, this.#list(linkageOf(this.#page)).length, reason);
   }
 
   #add() {
@@ -132,8 +130,8 @@ export class Springs {
       content.push(number("damping", "c", torsion ? "torsion_damping" : "damping"));
     }
     const between = (part.links?.map((link) => called(link, words)) ?? part.ends?.map(({ point }) => point) ?? []).join(" – ");
-    const remove = fields.button(id("remove"), "forces.remove", () => this.#page.history.step(() => this.#change((parts) => parts.filter((_, k) => k !== i))));
-    return make("details", { id: `${name}-${i}`, class: "fold within" }, [make("summary", {}, [`${i + 1}. ${between}`]), ...content, make("p", { id: id("why"), class: "forces-why" }), remove]);
+    const remove = () => this.#page.history.step(() => this.#change((parts) => parts.filter((_, k) => k !== i)));
+    return card({ list: name, i, title: between }, content, fields, remove);
   }
 
   /**

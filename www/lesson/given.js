@@ -18,6 +18,8 @@ const LOADED = /^(magnets|bodies|members|load|span_s)\b/;
  * numbers, and the band within which a dwell is measured, which is no property of the linkage.
  */
 const BY_POINTS = /^(links|points)\[|^band$/;
+/** Masses and loads of a linkage. They are printed if their words are loaded, as they are once forces have been shown. */
+const OF_FORCES = /^(links\[\d+\]\.(mass_kg|inertia)$|(loads|springs|dampers|friction)\[|flywheel$)/;
 /** Least number of positions at which their weights matter: fewer positions are met exactly. */
 const WEIGHED = 4;
 /** Field of a driven shaft. For a multiple of another shaft's speed only `factor` is printed, else all but `factor`. */
@@ -38,7 +40,7 @@ const DECIMALS = 6;
 export function given(state, engine, words) {
   const { document } = state;
   const plain = (attempt(() => engine.functions.numbersOf(withoutExtras(state))).value ?? [])
-    .filter(({ field }) => isGiven(field, document))
+    .filter(({ field }) => isGiven(field, document, words))
     .map(({ field, value }) => `${fieldName(field, words, document)} = ${measuredAs(field, words.numbers.upTo(value, DECIMALS), words)}`);
   return "links" in document ? [...ofPoints(document, words), ...plain] : plain;
 }
@@ -46,10 +48,11 @@ export function given(state, engine, words) {
 /**
  * @param {string} field
  * @param {State["document"]} document
+ * @param {Words} words
  * @returns {boolean} whether the number in the field is printed
  */
-function isGiven(field, document) {
-  if ("links" in document) return !BY_POINTS.test(field);
+function isGiven(field, document, words) {
+  if ("links" in document) return OF_FORCES.test(field) ? words.has("field.masses.mass") : !BY_POINTS.test(field);
   if ("positions" in document) return !field.endsWith(".weight") || document.positions.length >= WEIGHED;
   if (!("drives" in document)) return true;
   const [, drive, part] = DRIVE.exec(field) ?? [];

@@ -132,7 +132,7 @@ export class Lesson {
     const wanted = wantedOf(entry, writing, words);
     this.#wanted = wanted;
     try {
-      const { show } = await awaited(writing ? this.#bringWriter(words) : entry.id === OWN ? this.#bringWritten(words) : this.#bringOurs(entry, words));
+      const { show } = await awaited(writing ? this.#bringWriter(words) : entry.id === OWN ? this.#bringWritten() : this.#bringOurs(entry, words));
       if (this.#wanted !== wanted) return;
       show();
       this.#page.redraw();
@@ -144,24 +144,26 @@ export class Lesson {
     }
   }
 
-  /** @param {Words} words */
+  /** @param {Words} words words of the page, in the wanted language */
   async #bringWriter(words) {
-    const { Writer } = await import("assur/lesson/writer.js");
+    // A lecturer's numbers may be masses and loads.
+    const { Writer } = await this.#page.withForces(import("assur/lesson/writer.js"));
     return { show: () => {
       this.#leave();
-      this.#writer = new Writer(this.#container, this.#page, words);
+      this.#writer = new Writer(this.#container, this.#page, this.#page.words);
       this.#wanted = wantedOf({ id: OWN }, true, words);
     } };
   }
 
-  /** @param {Words} words */
-  async #bringWritten(words) {
-    const [{ LessonPanel }, { WrittenLesson }] = await Promise.all([import("assur/lesson/panel.js"), import("assur/lesson/written.js")]);
+  async #bringWritten() {
+    const parts = Promise.all([import("assur/lesson/panel.js"), import("assur/lesson/written.js")]);
+    const [{ LessonPanel }, { WrittenLesson }] = await this.#page.withForces(parts);
     return { show: () => {
       const { lesson } = this.#page.store.get();
       if (!lesson) return;
       this.#panel?.end();
       this.#written = lesson;
+      const { words } = this.#page;
       this.#panel = new LessonPanel(this.#container, this.#page, new WrittenLesson(lesson, this.#page, words), words);
       this.#shown = OWN;
     } };

@@ -69,7 +69,7 @@ export function levelText(panel, value, numbers) {
  */
 export function unitOf(panel, { moves }, words) {
   if (inDegrees(panel)) return "°";
-  const unit = isForce(panel) ? (words.unit && words.text(`forces.unit.${panel.kind === "force" ? "newton" : "newton_metre"}`)) : unitOfRate(panel, moves, words);
+  const unit = isForce(panel) ? (words.unit && words.text(panel.kind === "force" ? "unit.newton" : "unit.newton_metre")) : unitOfRate(panel, moves, words);
   const exponent = power(panel);
   if (exponent === 0) return unit;
   return `${powerOfTen(exponent)}${unit === "1" ? "" : ` ${unit}`}`.trim();

@@ -25,7 +25,7 @@ const METHODS = {
   set: [state], lengths: [], choosesLengths: [], labelNames: [], scene: [], at: [INPUT], plotted: [INPUT], why: [INPUT], readouts: [], drag: ["B", INPUT, 1, 1],
   press: ["B"], edit: [EDIT, INPUT], part: [["A"], [], INPUT], linkAt: [INPUT, 1, 1], asKind: ["mixer", INPUT], trace: [INPUT, 1, 1], setDimension: ["links[0].length", 2, INPUT],
   drive: ["rocker", INPUT], assemblies: [INPUT], assemble: [1, INPUT], advance: [INPUT, 0.1], chart: [new Context(), REQUEST], sweep: [12], equations: [INPUT, 2], curvature: [INPUT],
-  polygons: [INPUT, 3], forces: [INPUT], forcePlan: [INPUT, 3], forceLever: [INPUT], freeBody: [INPUT, 0], greatestForces: [], masses: [], startRun: [INPUT, 1], advanceRun: [0.1, 1], cycle: [1, 0.1], relations: [INPUT], outputs: [], transmissions: [], profile: [], constraints: [],
+  polygons: [INPUT, 3], forces: [INPUT], forcePlan: [INPUT, 3], forceLever: [INPUT], freeBody: [INPUT, 0], equilibrium: [INPUT, { link: 0, about: 0, reversed: [], answers: [] }], plotsForces: [], greatestForces: [], masses: [], startRun: [INPUT, 1], advanceRun: [0.1, 1], cycle: [1, 0.1], relations: [INPUT], outputs: [], transmissions: [], profile: [], constraints: [],
 };
 
 /** Arguments of each function of the module. */

@@ -140,7 +140,7 @@ export class Cycle {
     });
     const drive = words.text(this.#motor ? "under_load.at_motor" : "under_load.at_constant", {
       rate: `${numbers.short(found.rate)} ${words.text("unit.rad_per_s")}`,
-      torque: `${numbers.short(found.torque)}${words.unit === "" ? "" : ` ${words.text("under_load.unit.torque")}`}`,
+      torque: `${numbers.short(found.torque)}${words.unit === "" ? "" : ` ${words.text("unit.newton_metre")}`}`,
     });
     return html`
       <p id="cycle-drive">${drive}</p>

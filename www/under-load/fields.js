@@ -156,5 +156,5 @@ export function unitOf(sort, turns, words) {
   if (sort === "rate") return turns ? words.text("unit.rad_per_s") : `${words.unit}/${words.text("unit.s")}`;
   if (sort === "none" || words.unit === "") return "";
   if (sort === "inertia") return words.text("under_load.unit.inertia");
-  return words.text(turns ? "under_load.unit.torque" : "under_load.unit.force");
+  return words.text(turns ? "unit.newton_metre" : "unit.newton");
 }

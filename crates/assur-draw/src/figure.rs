@@ -55,6 +55,8 @@ pub struct View {
     pub measures: Vec<Quantity>,
     /// Annotations of the document.
     pub annotations: Annotations,
+    /// Names of forces, to which their arrows refer by index.
+    pub forces: Vec<String>,
     /// The symbol unit, in the unit of lengths; by default a hundredth of the drawing's size.
     pub symbol: Option<f64>,
 }
@@ -97,6 +99,8 @@ pub struct Figure {
     lines: lines::Drawn,
     numbers: Vec<Number>,
     given: Given,
+    /// Indices of the names of forces among the names.
+    forces: Vec<usize>,
     /// Wheel numbers, each with the wheel's link, the tag, and the index of the tag's text among the names.
     tags: Vec<(LinkId, Tag, usize)>,
     bounds: [f64; 4],
@@ -131,6 +135,8 @@ impl Figure {
             Vec::new()
         };
         let given = Given::new(&view.annotations.given, &mut names);
+        let forces = view.forces.iter().map(|name| names.add(name.clone()));
+        let forces = forces.collect();
 
         let runs = paths::sampled(motion);
         let guides = slides::guides(&layout, home, &runs, view);
@@ -188,6 +194,7 @@ impl Figure {
             lines,
             numbers,
             given,
+            forces,
             tags,
             rigid: List::default(),
         };
@@ -264,8 +271,13 @@ impl Figure {
     /// Adds arrows of forces to a frame.
     pub fn add_forces(&self, frame: &mut Vec<f32>, arrows: &[ForceArrow], scale: ForceScale) {
         let mut list = List::default();
-        force_arrows::draw(&mut list, arrows, scale, self.unit);
+        force_arrows::draw(&mut list, arrows, scale, &self.forces, self.unit);
         frame.extend(list.numbers());
+    }
+
+    /// Radius with which the friction circle of a hinge is drawn: its own, unless it could not be seen.
+    pub fn drawn_circle(&self, radius: f64) -> f64 {
+        force_arrows::drawn_radius(radius, self.unit)
     }
 
     /// Size of the drawing, in the unit of lengths.

@@ -2,6 +2,7 @@
 
 mod body;
 mod lever;
+mod room;
 mod symbol;
 
 use assur::forces::{Cause, ForceName, ForcePlan, PlanStep, StepKind, Term};
@@ -10,9 +11,10 @@ use assur::{Point, Vector, perpendicular};
 
 use crate::list::{List, Look, Role};
 use crate::parts;
-pub use body::free_body_picture;
 use body::moments_picture;
+pub use body::{FrictionCircle, equilibrium_picture, free_body_picture};
 pub use lever::lever_picture;
+pub use room::PlanRooms;
 pub use symbol::force_symbol;
 
 /// Gives the number of a body.
@@ -87,11 +89,12 @@ fn role(known: bool, is_reaction: bool) -> Role {
 }
 
 /// Draws a force plan up to a step: the polygon of its group with the reactions found so far or, for a sum of moments,
-/// the links with their forces and arms. `shown` is the number of steps, at least 1.
+/// the links with their forces and arms. `shown` is the number of steps, at least 1; `rooms` keep the scale of each plan
+/// over the motion.
 pub fn plan_picture(
     mechanism: &Mechanism,
     pose: &Pose<3>,
-    plan: &ForcePlan,
+    (plan, rooms): (&ForcePlan, &PlanRooms),
     shown: usize,
     numbers: Numbers<'_>,
 ) -> ForcePicture {
@@ -103,9 +106,7 @@ pub fn plan_picture(
         return moments_picture(mechanism, pose, current, numbers);
     }
     let own = |step: &&PlanStep| step.plan == current.plan && is_polygon(step);
-    let whole = plan.steps.iter().filter(own);
-    let ends = whole.flat_map(|step| step.terms.iter().flat_map(|term| term.ends));
-    let bounds = square(around(ends.map(Point::from)));
+    let bounds = square(rooms.around(current.plan, extent(plan, current.plan)));
     let mut drawing = Drawing::new(bounds);
     let mut drawn: Vec<&Term> = Vec::new();
     let until = plan.steps[..shown].iter().filter(own);
@@ -132,6 +133,15 @@ pub fn plan_picture(
         }
     }
     drawing.picture(bounds, true)
+}
+
+/// Rectangle around a whole plan; None if nothing is drawn in it.
+fn extent(plan: &ForcePlan, number: usize) -> Option<[f64; 4]> {
+    let own = plan.steps.iter();
+    let own = own.filter(|step| step.plan == number && is_polygon(step));
+    let mut ends = own.flat_map(|step| step.terms.iter().flat_map(|term| term.ends));
+    let first = ends.next()?;
+    Some(around([first].into_iter().chain(ends).map(Point::from)))
 }
 
 fn is_polygon(step: &PlanStep) -> bool {

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | `figure.rs`, `figure/` | the drawing of any motion: joints, bars, plates, slides, wheels, paths, numbers, overlaid arrows and circles |
 //! | `sketch.rs`, `scheme.rs`, `train.rs`, `polygon.rs` | an unfinished drawing; links and pairs, cut open; a differential; polygons to scale |
-//! | `force_arrows.rs` | arrows of forces and torques |
+//! | `force_arrows.rs` | arrows of forces and torques, friction circles |
 //! | `force_plan.rs`, `force_plan/` | force plans to scale, free bodies, Zhukovsky's lever |
 //! | `annotations.rs`, `overlays.rs`, `parts.rs`, `gear.rs` | annotations of a document; overlays; symbols of textbooks; involute teeth |
 //! | `list.rs` | the display list |
@@ -30,9 +30,10 @@ mod train;
 
 pub use annotations::{Annotations, GivenPosition, Tag};
 pub use figure::{Figure, Lines, Values, View};
-pub use force_arrows::{Acting, ForceArrow, ForceScale};
+pub use force_arrows::{Acting, ForceArrow, ForceScale, touching};
 pub use force_plan::{
-    ForcePicture, Numbers, force_symbol, free_body_picture, lever_picture, plan_picture,
+    ForcePicture, FrictionCircle, Numbers, PlanRooms, equilibrium_picture, force_symbol,
+    free_body_picture, lever_picture, plan_picture,
 };
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;

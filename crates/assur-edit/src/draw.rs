@@ -99,6 +99,7 @@ impl Drawing {
                 section,
                 density,
             } => self.uniform(link, *section, *density),
+            Edit::Balance {} => self.balance(),
             Edit::Move { points, by } => self.shift(points, *by),
             Edit::Place { point, at } => self.place(point, *at),
             Edit::Stretch { link, length } => self.stretch(link, *length),

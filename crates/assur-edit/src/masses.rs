@@ -1,9 +1,16 @@
-//! Masses of links: the place of a centre of mass, and uniform bars.
+//! Masses of links: the place of a centre of mass, uniform bars, and counterweights.
 
 use assur::Vector;
-use assur_file::LinkageProblem;
+use assur::forces::{Counterweight, Loading, counterweights};
+use assur::mechanism::Mechanism;
+use assur::motion::Motion;
+use assur_file::{LinkDocument, LinkageProblem};
 
 use crate::draw::Drawing;
+
+/// Moments of counterweights smaller than this share of the mass of the links times the size of the drawing are rounding
+/// errors of zero.
+const BALANCED: f64 = 1e-9;
 
 impl Drawing {
     /// Puts the centre of mass of a link at coordinates on it.
@@ -55,6 +62,43 @@ impl Drawing {
         Ok(())
     }
 
+    /// Adds the counterweights of a four-bar.
+    ///
+    /// # Errors
+    /// Another linkage; links without mass, or already balanced.
+    pub(crate) fn balance(&mut self) -> Result<(), LinkageProblem> {
+        let mechanism = Mechanism::new(&self.document.spec());
+        let weights = mechanism.ok().and_then(found);
+        let (mechanism, weights) = weights.ok_or(LinkageProblem::NotFourBar)?;
+        let masses = self.document.links.iter();
+        let mass: f64 = masses.filter_map(|link| link.mass_kg).sum();
+        let least = BALANCED * mass * self.size();
+        let mut added = false;
+        for weight in weights {
+            let moment = weight.moment.norm();
+            if moment <= least {
+                continue;
+            }
+            let hinge = mechanism.point_name(weight.hinge).to_owned();
+            let off = weight.moment * (weight.reach / moment);
+            let centre = self.put((self.at(&hinge)? + off).into());
+            let name = self.add_link(&[hinge, centre.clone()], Some("counterweight"));
+            let on = mechanism.body_name(weight.body).to_owned();
+            self.change(&name, |link| {
+                *link = LinkDocument {
+                    mass_kg: Some(moment / weight.reach),
+                    centre_of_mass: Some(centre),
+                    inertia: Some(0.0),
+                    fixed_to: Some(on),
+                    ..link.clone()
+                };
+            });
+            added = true;
+        }
+        let already = LinkageProblem::AlreadyBalanced;
+        if added { Ok(()) } else { Err(already) }
+    }
+
     /// Whether a point of a link serves as its centre of mass only: no other link has it, and it does not give the
     /// angle of the link.
     fn is_centre_alone(&self, link: &str, point: &str) -> bool {
@@ -69,4 +113,13 @@ impl Drawing {
         let slides = slides.any(|slide| slide.point == point || has(&slide.line));
         !(on_others || gives_angle || slides || has(&document.frame))
     }
+}
+
+/// Counterweights of a mechanism in its drawn pose.
+fn found(mechanism: Mechanism) -> Option<(Mechanism, [Counterweight; 2])> {
+    let motion = Motion::new(mechanism);
+    let mechanism = motion.mechanism();
+    let pose = motion.pose::<3>(motion.drawn_input()).ok()?;
+    let weights = counterweights(mechanism, &Loading::of_masses(mechanism), &pose)?;
+    Some((mechanism.clone(), weights))
 }

@@ -1,13 +1,26 @@
 //! Force plans, Zhukovsky's lever and free bodies of a linkage at an input, as drawings and as equations.
 
-use assur::Point;
 use assur::forces::{Acting, Cause, Component, ForceName, Lever, PlanStep, Reactions, StepKind};
 use assur::mechanism::BodyId;
-use assur_draw::{ForcePicture, force_symbol, free_body_picture, lever_picture, plan_picture};
+use assur::motion::{Sampling, Shown, Spacing};
+use assur_draw::{
+    ForcePicture, FrictionCircle, PlanRooms, force_symbol, free_body_picture, lever_picture,
+    plan_picture,
+};
 use assur_file::{ForceUnits, LinkageProblem, Problem};
 use serde::Serialize;
 
+use crate::forces::{Forces, friction_circle};
 use crate::moving::Moving;
+
+/// Sampling of the motion for the scales of the plans.
+const SAMPLING: Sampling = Sampling {
+    turn: 48,
+    coarsest: 24,
+    most: 8 * 48,
+    spacing: Spacing::Middles,
+    shown: Shown::Spread,
+};
 
 /// Construction of the reactions, step by step. Forces are in newtons, torques in newton metres.
 #[derive(Serialize)]
@@ -95,8 +108,6 @@ pub(crate) struct LeverHere {
 pub(crate) struct FreeBodyHere {
     /// Numbers and names of the links that can be chosen.
     links: Vec<(String, String)>,
-    /// Points of the link about which moments can be taken.
-    points: Vec<String>,
     acting: Vec<ActingHere>,
     picture: ForcePictureHere,
 }
@@ -113,13 +124,7 @@ pub(crate) struct ActingHere {
     size: Option<f64>,
     /// Direction of the force from the x-axis, radians.
     direction: Option<f64>,
-    /// Signs −1, 0 or 1 in the equations of equilibrium: of the components x and y, then of the moments about each of the
-    /// points; null if indeterminate.
-    signs: Option<Vec<i8>>,
 }
-
-/// Components and moments smaller than this share of the force count as zero.
-const NOTHING: f64 = 1e-9;
 
 impl Moving {
     /// The force plan at an input; its picture shows the step `shown`, from 1.
@@ -137,13 +142,22 @@ impl Moving {
         let plan = plan.map_err(|why| vec![LinkageProblem::unbalanced(why, mechanism).into()])?;
         let numbers = |body: BodyId| self.body_number(body);
         let units = self.forces().units;
-        let picture = plan_picture(mechanism, &pose, &plan, shown, &numbers);
+        let rooms = self.forces().rooms.get_or_init(|| self.plan_rooms());
+        let picture = plan_picture(mechanism, &pose, (&plan, rooms), shown, &numbers);
         let steps = plan.steps.iter().map(|step| self.force_step(step, units));
         Ok(ForcePlanHere {
             loaded: is_loaded(&found),
             steps: steps.collect(),
             picture: here(picture, units),
         })
+    }
+
+    fn plan_rooms(&self) -> PlanRooms {
+        let mut plans = Vec::new();
+        self.each_balanced(SAMPLING, |_, found| {
+            plans.extend(self.forces().statics.plan(found).ok());
+        });
+        PlanRooms::over(&plans)
     }
 
     /// Zhukovsky's lever at an input.
@@ -216,23 +230,18 @@ impl Moving {
             (numbers(body), name)
         });
         let links = links.collect();
-        let (mut points, mut acting, mut picture) = (Vec::new(), Vec::new(), None);
+        let (mut acting, mut picture) = (Vec::new(), None);
         if let Some(body) = moving.nth(chosen) {
-            let places = mechanism.points_on(body).map(|point| {
-                points.push(mechanism.point_name(point).to_owned());
-                mechanism.place(&pose, point).place()
-            });
-            let places: Vec<Point> = places.collect();
             let all = self.forces().statics.free_body(&found, body);
-            let drawn = free_body_picture(mechanism, &pose, body, &all, &numbers);
+            let circles = self.friction_circles(&found, body);
+            let drawn = free_body_picture(mechanism, &pose, body, &all, &circles, &numbers);
             picture = Some(here(drawn, units));
             for one in &all {
-                self.act((body, one), &places, units, &mut acting);
+                self.act((body, one), units, &mut acting);
             }
         }
         Ok(FreeBodyHere {
             links,
-            points,
             acting,
             picture: picture.unwrap_or(ForcePictureHere {
                 list: Vec::new(),
@@ -243,15 +252,29 @@ impl Moving {
         })
     }
 
-    fn act(
-        &self,
-        (body, one): (BodyId, &Acting),
-        places: &[Point],
-        units: ForceUnits,
-        list: &mut Vec<ActingHere>,
-    ) {
-        let at = one.place(self.mechanism());
-        let scale = self.mechanism().size();
+    /// Friction circles of the hinges of a body, with the couples on it.
+    fn friction_circles(&self, found: &Reactions, body: BodyId) -> Vec<FrictionCircle> {
+        let Forces {
+            statics, loading, ..
+        } = self.forces();
+        let pairs = statics.pairs().filter_map(|(pair, of)| {
+            let (radius, couple) = friction_circle(loading, found, pair)?;
+            let sign = match of.bodies {
+                [on, _] if on == body => 1.0,
+                [_, from] if from == body => -1.0,
+                _ => return None,
+            };
+            let couple = sign * couple;
+            Some(FrictionCircle {
+                pair,
+                radius,
+                couple,
+            })
+        });
+        pairs.collect()
+    }
+
+    fn act(&self, (body, one): (BodyId, &Acting), units: ForceUnits, list: &mut Vec<ActingHere>) {
         let numbers = |body: BodyId| self.body_number(body);
         let name = whole(body, one.cause);
         if one.force != Some(assur::Vector::zeros()) {
@@ -263,13 +286,6 @@ impl Moving {
                 y: force.map(|force| force.y),
                 size: force.map(|force| force.norm()),
                 direction: force.map(|force| force.y.atan2(force.x)),
-                signs: one.force.map(|force| {
-                    let size = force.norm();
-                    let components = [force.x, force.y].map(|part| sign(part, size));
-                    let moments = places.iter().map(|place| (at - place).perp(&force));
-                    let moments = moments.map(|moment| sign(moment, size * scale));
-                    components.into_iter().chain(moments).collect()
-                }),
             });
         }
         if one.couple != Some(0.0) {
@@ -280,10 +296,6 @@ impl Moving {
                 y: None,
                 size: one.couple.map(|couple| couple * units.torque()),
                 direction: None,
-                signs: one.couple.map(|couple| {
-                    let moments = places.iter().map(|_| sign(couple, couple.abs()));
-                    [0, 0].into_iter().chain(moments).collect()
-                }),
             });
         }
     }
@@ -332,17 +344,6 @@ impl Moving {
     }
 }
 
-/// Sign of a number, 0 if it is a rounding error beside a scale.
-fn sign(value: f64, scale: f64) -> i8 {
-    if value.abs() <= NOTHING * scale {
-        0
-    } else if value > 0.0 {
-        1
-    } else {
-        -1
-    }
-}
-
 fn whole(body: BodyId, cause: Cause) -> ForceName {
     let part = Component::Whole;
     ForceName { body, cause, part }
@@ -353,7 +354,7 @@ fn is_loaded(found: &Reactions) -> bool {
     applied.any(|one| one.force != assur::Vector::zeros() || one.couple != 0.0)
 }
 
-fn here(picture: ForcePicture, units: ForceUnits) -> ForcePictureHere {
+pub(crate) fn here(picture: ForcePicture, units: ForceUnits) -> ForcePictureHere {
     ForcePictureHere {
         list: picture.list.numbers().to_vec(),
         names: picture.names,

@@ -1,8 +1,8 @@
-//! Quantities of the forces of a linkage that can be plotted: reactions, and torques and forces of the drivers. They have
-//! no derivatives.
+//! Quantities of the forces of a linkage that can be plotted: reactions, torques and forces of the drivers, and the shaking
+//! force. They have no derivatives.
 
 use assur::forces::{DriverId, Pair, PairId, Reactions};
-use assur::mechanism::DriverSpec;
+use assur::mechanism::{DriverSpec, FRAME};
 use assur_draw::Role;
 use assur_draw::chart::{Axis, Kind};
 use assur_file::{LengthUnit, LinkageDocument};
@@ -16,9 +16,11 @@ pub(crate) enum ForceQuantity {
     Reaction(PairId, Part),
     /// The torque or force of a driver on its driven link.
     Drive(DriverId),
+    /// A part of the shaking force on the frame; its moment is about the origin.
+    Shaking(Part),
 }
 
-/// A part of a reaction.
+/// A part of a reaction or of the shaking force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Part {
     Magnitude,
@@ -30,19 +32,20 @@ pub(crate) enum Part {
 impl Part {
     const ALL: [Self; 4] = [Self::Magnitude, Self::X, Self::Y, Self::Moment];
 
-    fn name(self) -> &'static str {
+    /// What follows the kind of force in a name.
+    fn ending(self) -> &'static str {
         match self {
-            Self::Magnitude => "reaction",
-            Self::X => "reaction_x",
-            Self::Y => "reaction_y",
-            Self::Moment => "reaction_moment",
+            Self::Magnitude => "",
+            Self::X => "_x",
+            Self::Y => "_y",
+            Self::Moment => "_moment",
         }
     }
 }
 
 impl ForceQuantity {
     /// All quantities: for each pair the magnitude of its reaction, the components and, except for a hinge, the moment;
-    /// then the drivers.
+    /// then the drivers, and the shaking force.
     pub(crate) fn all(of: &Forces) -> Vec<Self> {
         let reactions = of.statics.pairs().flat_map(|(id, pair)| {
             let is_hinge = !pair.is_slide() && !pair.is_mesh();
@@ -51,7 +54,8 @@ impl ForceQuantity {
             parts.map(move |part| Self::Reaction(id, part))
         });
         let drivers = of.statics.drivers().map(Self::Drive);
-        reactions.chain(drivers).collect()
+        let shaking = Part::ALL.into_iter().map(Self::Shaking);
+        reactions.chain(drivers).chain(shaking).collect()
     }
 
     /// The quantity with a name as given by [`Self::name`].
@@ -77,8 +81,9 @@ impl ForceQuantity {
                 } else {
                     name
                 };
-                format!("{subject}.{}", part.name())
+                format!("{subject}.reaction{}", part.ending())
             }
+            Self::Shaking(part) => format!("{FRAME}.shaking{}", part.ending()),
             Self::Drive(driver) => {
                 let spec = &mechanism.spec().drivers[driver.index()];
                 let link = mechanism.spec().driven(spec).unwrap_or_default();
@@ -106,7 +111,7 @@ impl ForceQuantity {
     /// Whether it is a torque; otherwise it is a force.
     pub(crate) fn is_torque(self, of: &Forces) -> bool {
         match self {
-            Self::Reaction(_, part) => part == Part::Moment,
+            Self::Reaction(_, part) | Self::Shaking(part) => part == Part::Moment,
             Self::Drive(driver) => {
                 let spec = &of.mechanism.spec().drivers[driver.index()];
                 matches!(spec, DriverSpec::Crank { .. })
@@ -114,15 +119,16 @@ impl ForceQuantity {
         }
     }
 
-    /// The quantities that the name `choice` selects for the plots: the magnitude of a reaction selects its components,
-    /// too. None for an unknown name.
+    /// The quantities that the name `choice` selects for the plots: the magnitude of a reaction or of the shaking force
+    /// selects its components, too. None for an unknown name.
     pub(crate) fn plotted(of: &Forces, choice: &str) -> Option<Vec<Self>> {
         let one = Self::named(of, choice)?;
+        let parts = [Part::Magnitude, Part::X, Part::Y];
         Some(match one {
             Self::Reaction(id, Part::Magnitude) => {
-                let parts = [Part::Magnitude, Part::X, Part::Y];
                 parts.map(|part| Self::Reaction(id, part)).to_vec()
             }
+            Self::Shaking(Part::Magnitude) => parts.map(Self::Shaking).to_vec(),
             _ => vec![one],
         })
     }
@@ -148,8 +154,9 @@ impl ForceQuantity {
     pub(crate) fn role(self, of: &Forces) -> Role {
         match self {
             Self::Reaction(_, Part::Magnitude) => Role::Reaction,
-            Self::Reaction(_, Part::X) => Role::X,
-            Self::Reaction(_, Part::Y) => Role::Y,
+            Self::Reaction(_, Part::X) | Self::Shaking(Part::X) => Role::X,
+            Self::Reaction(_, Part::Y) | Self::Shaking(Part::Y) => Role::Y,
+            Self::Shaking(Part::Magnitude) => Role::Inertia,
             _ if self.is_torque(of) => Role::Torque,
             _ => Role::Force,
         }
@@ -157,7 +164,11 @@ impl ForceQuantity {
 
     /// Whether its greatest value over the motion is listed.
     pub(crate) fn is_greatest(self) -> bool {
-        matches!(self, Self::Reaction(_, Part::Magnitude) | Self::Drive(_))
+        let parts = matches!(
+            self,
+            Self::Reaction(_, Part::Magnitude) | Self::Shaking(Part::Magnitude)
+        );
+        parts || matches!(self, Self::Drive(_))
     }
 
     /// Value of the quantity, in N or N·m; none if it is statically indeterminate.
@@ -174,6 +185,15 @@ impl ForceQuantity {
                 }
             }
             Self::Drive(driver) => found.drive(driver),
+            Self::Shaking(part) => {
+                let (force, moment) = found.shaking(&of.mechanism);
+                Some(match part {
+                    Part::Magnitude => force.norm(),
+                    Part::X => force.x,
+                    Part::Y => force.y,
+                    Part::Moment => moment,
+                })
+            }
         };
         value.map(|value| value * of.units.drive(self.is_torque(of)))
     }

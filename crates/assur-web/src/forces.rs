@@ -2,13 +2,14 @@
 
 use std::cell::OnceCell;
 
-use assur::forces::{Kinetostatics, Loading, Reactions};
+use assur::forces::{Kinetostatics, Loading, PairId, Reactions};
 use assur::mechanism::{Mechanism, Pose};
-use assur_draw::ForceScale;
+use assur::motion::Sampling;
+use assur_draw::{ForceScale, PlanRooms};
 use assur_file::{ForceUnits, LinkageDocument, LinkageProblem, Problem};
 
 use crate::moving::Moving;
-use crate::reactions::GreatestHere;
+use crate::reactions::GreatestForces;
 
 /// The loading of a linkage, and the order in which its reactions are found.
 pub(crate) struct Forces {
@@ -20,9 +21,11 @@ pub(crate) struct Forces {
     /// Speed and acceleration of the input: ω₁ and ε₁ of the view, whatever the axes.
     pub(crate) rates: [f64; 2],
     /// The greatest reactions over the motion, computed when first asked for.
-    pub(crate) greatest: OnceCell<Vec<GreatestHere>>,
+    pub(crate) greatest: OnceCell<GreatestForces>,
     /// Scale of the arrows over the motion, computed when first drawn.
     pub(crate) scale: OnceCell<ForceScale>,
+    /// Room of the force plans over the motion, computed when first drawn.
+    pub(crate) rooms: OnceCell<PlanRooms>,
 }
 
 impl Forces {
@@ -64,6 +67,7 @@ impl Forces {
             rates,
             greatest: OnceCell::new(),
             scale: OnceCell::new(),
+            rooms: OnceCell::new(),
         }
     }
 
@@ -82,7 +86,37 @@ impl Forces {
     }
 }
 
+/// Radius of the friction circle of a pair, and the friction couple on the first of its bodies; none without friction in
+/// a hinge.
+pub(crate) fn friction_circle(
+    loading: &Loading,
+    found: &Reactions,
+    pair: PairId,
+) -> Option<(f64, f64)> {
+    let own = loading.friction_circles().filter(|(one, _)| *one == pair);
+    let radius: f64 = own.map(|(_, radius)| radius).sum();
+    let rubbing = found.friction().iter().filter(|one| one.pair == pair);
+    let couple: f64 = rubbing.map(|one| one.value).sum();
+    (radius > 0.0).then_some((radius, couple))
+}
+
 impl Moving {
+    /// Calls a function with each of the sampled poses that has reactions.
+    pub(crate) fn each_balanced(
+        &self,
+        sampling: Sampling,
+        mut with: impl FnMut(&Pose<3>, &Reactions),
+    ) {
+        let mut found = Reactions::default();
+        let mut pose = self.mechanism().blank::<3>();
+        for at in self.motion().samples(sampling).into_iter().flatten() {
+            let placed = self.motion().place(at, &mut pose).is_ok();
+            if placed && self.forces().balance(&pose, at, &mut found).is_ok() {
+                with(&pose, &found);
+            }
+        }
+    }
+
     /// The pose at an input with its reactions, at ω₁ and ε₁ of the view.
     ///
     /// # Errors

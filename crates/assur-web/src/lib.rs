@@ -26,6 +26,7 @@ mod design;
 mod dimensions;
 mod driven;
 mod equations;
+mod equilibrium;
 mod force_plan;
 mod force_quantity;
 mod forces;

@@ -126,6 +126,11 @@ impl Moving {
             _ => None,
         });
         let numbers = annotations.numbers.iter().cloned().collect();
+        let force_names = if view.forces {
+            Self::names_of_forces(made(), &numbers)
+        } else {
+            Vec::new()
+        };
         let drawing = Drawing {
             overlays: overlays(view),
             lines: lines(view, mechanism),
@@ -137,6 +142,7 @@ impl Moving {
                 .chain(of_plot)
                 .collect(),
             annotations,
+            forces: force_names,
             symbol: view.symbol,
         };
         let figure = Figure::new(&motion, &drawing);

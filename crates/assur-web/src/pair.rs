@@ -45,8 +45,9 @@ impl<C> Pair<C> {
         quantities
     }
 
-    /// Values of abscissa and ordinate at an input.
-    pub(crate) fn values(&self, input: f64, value: impl Fn(&C) -> f64) -> Vec<f64> {
-        vec![self.x.as_ref().map_or(input, &value), value(&self.y)]
+    /// Values of abscissa and ordinate at an input; None if one of them has none.
+    pub(crate) fn values(&self, input: f64, value: impl Fn(&C) -> Option<f64>) -> Option<Vec<f64>> {
+        let x = self.x.as_ref().map_or(Some(input), &value)?;
+        Some(vec![x, value(&self.y)?])
     }
 }

@@ -1,6 +1,8 @@
 //! Polygons of velocities and accelerations of a linkage at an input, as drawings and as equations.
 
-use assur::mechanism::{BodyId, FRAME, Pose};
+use std::collections::BTreeMap;
+
+use assur::mechanism::{BodyId, FRAME, Mechanism, Pose};
 use assur::polygons::{Kind, Leg, Node, Order, Polygon, Stage};
 use assur_draw::{PolygonPicture, PolygonSheet, polygon_steps};
 use assur_file::Problem;
@@ -157,13 +159,22 @@ impl Moving {
 
     /// The number of a link in the drawing; the frame is 0.
     pub(crate) fn body_number(&self, body: BodyId) -> String {
-        let name = self.mechanism().body_name(body);
-        if name == FRAME {
-            return "0".to_owned();
-        }
-        let number = self.link_numbers().get(name).cloned();
-        number.unwrap_or_else(|| body.index().to_string())
+        body_number(self.mechanism(), self.link_numbers(), body)
     }
+}
+
+/// The number of a body, from the numbers of links by name; the frame is 0.
+pub(crate) fn body_number(
+    mechanism: &Mechanism,
+    numbers: &BTreeMap<String, String>,
+    body: BodyId,
+) -> String {
+    let name = mechanism.body_name(body);
+    if name == FRAME {
+        return "0".to_owned();
+    }
+    let number = numbers.get(name).cloned();
+    number.unwrap_or_else(|| body.index().to_string())
 }
 
 fn kind(stage: &Stage) -> &'static str {

@@ -1,13 +1,14 @@
 //! Reactions, torques and forces of the drivers, and applied forces of a linkage at an input, in the document's units.
 
 use assur::Vector;
-use assur::forces::{Pair, Reaction, Reactions, Source};
+use assur::forces::{Pair, Reaction, Reactions, Source, Unbalanced};
 use assur::mechanism::DriverSpec;
 use assur::motion::Grid;
 use assur_file::{ForceUnits, Problem};
 use serde::Serialize;
 
 use crate::force_quantity::{ForceQuantity, Part};
+use crate::forces::Forces;
 use crate::moving::Moving;
 
 /// Steps of a turn of the crank, or of the range of a slide, in the search for the greatest reactions.
@@ -20,13 +21,25 @@ pub(crate) struct ForcesHere {
     reactions: Vec<ReactionHere>,
     drives: Vec<DriveHere>,
     applied: Vec<AppliedHere>,
-    /// Force with which the moving links shake the frame, x and y, and its moment about the origin.
-    shaking: [f64; 3],
+    shaking: ShakingHere,
     /// Power that friction takes, W; none without friction.
     lost: Option<f64>,
     /// Efficiency of the first driver; none without friction, and if the driver does no work. Not positive: the loads cannot
     /// drive the linkage back.
     efficiency: Option<f64>,
+}
+
+/// Force with which the moving links shake the frame.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct ShakingHere {
+    /// Name of its magnitude among the quantities that can be plotted.
+    name: String,
+    value: f64,
+    /// Direction of the force, radians from the x-axis; none for a force of zero.
+    direction: Option<f64>,
+    /// Moment about the origin.
+    moment: f64,
 }
 
 /// Reaction of a pair on the link placed later; that on the other link is opposite.
@@ -77,8 +90,21 @@ pub(crate) struct AppliedHere {
     link: String,
     x: f64,
     y: f64,
+    /// Magnitude of the force.
+    value: f64,
     /// Couple, positive counter-clockwise.
     couple: f64,
+}
+
+/// The greatest forces over the motion.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct GreatestForces {
+    greatest: Vec<GreatestHere>,
+    /// Number of poses in which they are sought, and in how many of these friction holds the linkage whatever the driver
+    /// does, so that there are no reactions.
+    poses: usize,
+    locked: usize,
 }
 
 /// The greatest magnitude of a reaction, torque or force over the motion.
@@ -102,7 +128,7 @@ impl Moving {
         let (_, found) = self.balanced(input)?;
         let forces = self.forces();
         let units = forces.units;
-        let (mut reactions, mut drives) = (Vec::new(), Vec::new());
+        let (mut reactions, mut drives, mut shaking) = (Vec::new(), Vec::new(), String::new());
         let pairs = forces.statics.pairs();
         let pairs: Vec<&Pair> = pairs.map(|(_, pair)| pair).collect();
         for one in ForceQuantity::all(forces) {
@@ -111,7 +137,8 @@ impl Moving {
                 ForceQuantity::Reaction(id, Part::Magnitude) => {
                     reactions.push(self.reaction(name, pairs[id.index()], found.of(id), units));
                 }
-                ForceQuantity::Reaction(..) => {}
+                ForceQuantity::Shaking(Part::Magnitude) => shaking = name,
+                ForceQuantity::Reaction(..) | ForceQuantity::Shaking(_) => {}
                 ForceQuantity::Drive(driver) => {
                     let spec = &self.mechanism().spec().drivers[driver.index()];
                     let crank = matches!(spec, DriverSpec::Crank { .. });
@@ -134,6 +161,7 @@ impl Moving {
                 link: self.mechanism().body_name(one.body).to_owned(),
                 x: force.x,
                 y: force.y,
+                value: force.norm(),
                 couple: one.couple * units.torque(),
             }
         });
@@ -144,7 +172,12 @@ impl Moving {
             reactions,
             drives,
             applied: applied.collect(),
-            shaking: [force.x, force.y, moment * units.torque()],
+            shaking: ShakingHere {
+                name: shaking,
+                value: force.norm(),
+                direction: direction(force),
+                moment: moment * units.torque(),
+            },
             lost: rubs.then(|| found.loss() * units.torque()),
             efficiency: found.efficiency(forces.rates[0]),
         })
@@ -178,15 +211,13 @@ impl Moving {
             y,
             moment: reaction.moment.map(|moment| moment * units.torque()),
             value: vector.map(|force| force.norm()),
-            direction: vector
-                .filter(|force| *force != Vector::zeros())
-                .map(|force| force.y.atan2(force.x)),
+            direction: vector.and_then(direction),
         }
     }
 
-    /// The greatest magnitudes of reactions and of what drivers exert, at steps of one degree over the motion. They are
-    /// in the order of [`ForcesHere`], reactions first.
-    pub(crate) fn greatest_forces(&self) -> &[GreatestHere] {
+    /// The greatest magnitudes of reactions, of what drivers exert and of the shaking force, at steps of one degree over the
+    /// motion.
+    pub(crate) fn greatest_forces(&self) -> &GreatestForces {
         let forces = self.forces();
         forces.greatest.get_or_init(|| {
             let mut quantities = ForceQuantity::all(forces);
@@ -199,9 +230,18 @@ impl Moving {
             let mut greatest: Vec<GreatestHere> = quantities.iter().map(start).collect();
             let mut found = Reactions::default();
             let mut pose = self.mechanism().blank::<3>();
+            let (mut poses, mut locked) = (0, 0);
             for at in self.motion().rows(self.steps_of_forces()) {
-                let posed = self.motion().place(at.input, &mut pose).is_ok();
-                if !posed || forces.balance(&pose, at.input, &mut found).is_err() {
+                if self.motion().place(at.input, &mut pose).is_err() {
+                    continue;
+                }
+                poses += 1;
+                let Forces {
+                    statics, loading, ..
+                } = forces;
+                let balanced = statics.balance(loading, &pose, at.input, forces.rates, &mut found);
+                if let Err(why) = balanced {
+                    locked += usize::from(why == Unbalanced::Locked);
                     continue;
                 }
                 for (one, most) in quantities.iter().zip(&mut greatest) {
@@ -212,7 +252,11 @@ impl Moving {
                     }
                 }
             }
-            greatest
+            GreatestForces {
+                greatest,
+                poses,
+                locked,
+            }
         })
     }
 
@@ -232,6 +276,11 @@ impl Moving {
             }
         }
     }
+}
+
+/// Direction of a force, radians from the x-axis; None for a force of zero.
+fn direction(force: Vector) -> Option<f64> {
+    (force != Vector::zeros()).then(|| force.y.atan2(force.x))
 }
 
 fn source(source: Source) -> (&'static str, Option<usize>) {

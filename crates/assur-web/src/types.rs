@@ -9,6 +9,7 @@ use crate::chart::{ChartLayout, ChartRequest};
 use crate::curvature::CurvatureHere;
 use crate::design::{Movement, ReachedSummary, StepSummary, Wishes};
 use crate::equations::EquationSummary;
+use crate::equilibrium::{EquilibriumHere, StudentSheet};
 use crate::force_plan::{ForcePlanHere, FreeBodyHere, LeverHere};
 use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
@@ -22,7 +23,7 @@ use crate::kinds::synthesis::wanted::{PrintedSummary, WantedSummary};
 use crate::masses::MassHere;
 use crate::polygons::PolygonsHere;
 use crate::profile::ProfileSummary;
-use crate::reactions::{ForcesHere, GreatestHere};
+use crate::reactions::{ForcesHere, GreatestForces};
 use crate::summary::{
     CourseSummary, MotionSummary, OutputSummary, StructureSummary, TransmissionSummary,
 };
@@ -85,13 +86,15 @@ fn the_scripts_know_what_crosses_the_border() {
     );
     type Forces = (
         ForcesHere,
-        GreatestHere,
+        GreatestForces,
         MassHere,
         RunHere<'static>,
         CycleHere,
         ForcePlanHere,
         LeverHere,
         FreeBodyHere,
+        EquilibriumHere,
+        StudentSheet,
     );
     type Shown = (
         ChartRequest,

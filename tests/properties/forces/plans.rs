@@ -4,12 +4,51 @@ use assur::Vector;
 use assur::forces::{Cause, ForcePlan, Kinetostatics, Lever, Reactions, StepKind};
 use assur::mechanism::{Mechanism, Pose};
 
+use super::super::random::Random;
+
 /// Greatest error of a plan and of the lever.
 pub(super) struct Off {
     /// Gap of a polygon, or difference of a force from the reaction.
     pub(super) force: f64,
     /// Sum of moments, or difference of a moment or torque from the reaction.
     pub(super) moment: f64,
+}
+
+/// Sums of the equations of equilibrium of every body about a point of the linkage, with random unknowns reversed.
+pub(super) fn equations(
+    (mechanism, pose): (&Mechanism, &Pose<3>),
+    forces: &Kinetostatics,
+    found: &Reactions,
+    seed: u64,
+) -> Off {
+    let mut random = Random::new(93_000_000 + seed);
+    let mut off = Off {
+        force: 0.0,
+        moment: 0.0,
+    };
+    let points: Vec<_> = mechanism.point_ids().collect();
+    for body in mechanism.bodies().skip(1) {
+        let about = points[random.below(points.len())];
+        let about = mechanism.place(pose, about).place();
+        let reversed: Vec<usize> = (0..40).filter(|_| random.below(2) == 0).collect();
+        let addends = forces.equilibrium(mechanism, found, body, about, &reversed);
+        let sum = |k: usize| {
+            let values = addends.iter().map(|one| one.factors[k] * one.size.unwrap());
+            values.sum::<f64>().abs()
+        };
+        off.force = off.force.max(sum(0)).max(sum(1));
+        off.moment = off.moment.max(sum(2));
+        for one in &addends {
+            let signs = one.factors.map(|factor| match factor {
+                0.0 => 0.0,
+                _ => factor.signum(),
+            });
+            let judged = one.judged(signs, one.factors[2].abs());
+            let judged = judged.signs.into_iter().chain([judged.arm]);
+            assert!(judged.flatten().all(|right| right), "seed {seed}: {one:?}");
+        }
+    }
+    off
 }
 
 pub(super) fn plan(forces: &Kinetostatics, found: &Reactions, plan: &ForcePlan) -> Off {

@@ -11,7 +11,7 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
     id: "inertia",
     formula: "Φ = −m a\nMΦ = −J ε",
     shows: [{ preset: "inertia", at: home, omega: OMEGA, overlays: [...ALL, "centres"], plot: "C2" }],
-    question: { unit: "newton", within: 0.5, answer: ({ forces }) => sizeOf(forces?.applied.find(({ kind, link }) => kind === "inertia" && link === "coupler")) },
+    question: { unit: "newton", within: 0.5, answer: ({ forces }) => forces?.applied.find(({ kind, link }) => kind === "inertia" && link === "coupler")?.value },
   },
   {
     id: "order",
@@ -65,9 +65,4 @@ export const LESSON = Object.freeze({ kind: "linkage", steps: [
 /** @param {{ home: number }} summary */
 function home({ home: drawn }) {
   return drawn;
-}
-
-/** @param {{ x: number, y: number } | undefined} force */
-function sizeOf(force) {
-  return force && Math.hypot(force.x, force.y);
 }

@@ -1,12 +1,14 @@
 //! Links with the forces on them: free bodies, and sums of moments with the arms of the forces.
 
-use assur::forces::{Acting, Cause, Component, ForceName, PlanStep, StepKind};
+use assur::forces::{
+    Acting, Addend, Cause, Component, ForceName, PairId, PlanStep, Source, StepKind,
+};
 use assur::mechanism::{BodyId, Joint, Mechanism, Pose};
 use assur::{Point, Vector, perpendicular};
 
 use super::{Drawing, ForcePicture, Numbers, around, couple, force_symbol, role, size, square};
 use crate::list::{Look, Role};
-use crate::parts;
+use crate::{force_arrows, parts};
 
 /// Length of the longest arrow, as a share of the size of the links.
 const LONGEST: f64 = 0.45;
@@ -15,6 +17,17 @@ const SHORTEST: f64 = 0.15;
 /// Least size of the links, as a share of the size of the mechanism.
 const LEAST: f64 = 0.15;
 
+/// Friction in a hinge of a free body.
+#[derive(Clone, Copy, Debug)]
+pub struct FrictionCircle {
+    /// The hinge.
+    pub pair: PairId,
+    /// Radius of the circle: the coefficient times the radius of the pin.
+    pub radius: f64,
+    /// Friction couple on the body; zero if the hinge does not turn.
+    pub couple: f64,
+}
+
 /// A force or couple to be drawn.
 pub(super) struct Shown {
     pub(super) name: String,
@@ -22,15 +35,18 @@ pub(super) struct Shown {
     pub(super) at: Point,
     pub(super) force: Vector,
     pub(super) couple: f64,
+    /// Radius and couple of a friction circle that the force touches.
+    pub(super) circle: Option<FrictionCircle>,
 }
 
 /// Draws a body with all forces and couples on it that are determined. The reaction of a slide is drawn at the sliding point,
-/// with its couple.
+/// with its couple. That of a hinge with friction touches the friction circle; its couple is then not drawn.
 pub fn free_body_picture(
     mechanism: &Mechanism,
     pose: &Pose<3>,
     body: BodyId,
     acting: &[Acting],
+    circles: &[FrictionCircle],
     numbers: Numbers<'_>,
 ) -> ForcePicture {
     let mut shown = Vec::new();
@@ -45,7 +61,17 @@ pub fn free_body_picture(
         let role = role(!is_reaction, is_reaction);
         let force = one.force.unwrap_or_default();
         let couple = one.couple.unwrap_or_default();
-        let at = one.place(mechanism);
+        let at = place(
+            mechanism,
+            pose,
+            body,
+            (one.cause, couple != 0.0),
+            one.place(mechanism),
+        );
+        let circle = match one.cause {
+            Cause::Reaction { pair, .. } => circles.iter().find(|circle| circle.pair == pair),
+            _ => None,
+        };
         if force != Vector::zeros() {
             shown.push(Shown {
                 name: force_symbol(&name, false, numbers),
@@ -53,19 +79,67 @@ pub fn free_body_picture(
                 at,
                 force,
                 couple: 0.0,
+                circle: circle.copied(),
             });
         }
-        if couple != 0.0 {
+        let is_in_circle = matches!(one.cause, Cause::Applied(Source::Friction(_)));
+        if couple != 0.0 && !is_in_circle {
             shown.push(Shown {
                 name: force_symbol(&name, true, numbers),
                 role,
                 at,
                 force: Vector::zeros(),
                 couple,
+                circle: None,
             });
         }
     }
     bodies(mechanism, pose, &[body], &shown, None)
+}
+
+/// Draws a body with the addends of its equations of equilibrium and the place about which moments are taken. All
+/// unknown forces are equally long, in the senses in which they are assumed.
+pub fn equilibrium_picture(
+    mechanism: &Mechanism,
+    pose: &Pose<3>,
+    body: BodyId,
+    (addends, about): (&[Addend], Point),
+    numbers: Numbers<'_>,
+) -> ForcePicture {
+    let given = |one: &Addend| one.size.filter(|_| one.unknown.is_none());
+    let greatest = addends.iter().filter(|one| !one.is_couple);
+    let greatest = greatest.filter_map(given).fold(0.0, f64::max);
+    let usual = if greatest > 0.0 { greatest } else { 1.0 };
+    let shown = addends.iter().map(|one| Shown {
+        name: force_symbol(&one.name, one.is_couple, numbers),
+        role: role(one.unknown.is_none(), one.unknown.is_some()),
+        at: place(
+            mechanism,
+            pose,
+            body,
+            (one.name.cause, one.is_couple),
+            one.place(mechanism),
+        ),
+        force: one.direction * given(one).unwrap_or(usual),
+        couple: if one.is_couple { one.factors[2] } else { 0.0 },
+        circle: None,
+    });
+    let shown: Vec<Shown> = shown.collect();
+    bodies(mechanism, pose, &[body], &shown, Some(about))
+}
+
+/// Place of a force or couple on a body. A balancing torque has none: it is drawn in the middle of the body.
+fn place(
+    mechanism: &Mechanism,
+    pose: &Pose<3>,
+    body: BodyId,
+    (cause, is_couple): (Cause, bool),
+    own: Point,
+) -> Point {
+    match cause {
+        Cause::Drive { .. } if is_couple => middle(mechanism, pose, body),
+        _ => own,
+    }
 }
 
 /// Draws the links of a step with the forces in its sum of moments and their arms.
@@ -85,6 +159,7 @@ pub(super) fn moments_picture(
         },
         force: term.force,
         couple: if term.is_couple { term.value } else { 0.0 },
+        circle: None,
     });
     let shown: Vec<Shown> = shown.collect();
     let about = (step.kind == StepKind::Moments).then(|| step.centre(mechanism));
@@ -151,9 +226,16 @@ fn bodies(
             let at = couple(&mut drawing, one.role, one.at, one.couple);
             drawing.name(one.role, one.name.clone(), at, at - one.at);
         } else {
-            let tip = arrow(one);
-            if drawing.arrow(one.role, one.at, tip) {
-                drawing.name(one.role, one.name.clone(), tip, tip - one.at);
+            let mut from = one.at;
+            if let Some(FrictionCircle { radius, couple, .. }) = one.circle {
+                let unit = drawing.unit;
+                force_arrows::circle(&mut drawing.list, one.role, one.at, radius, unit);
+                let drawn = force_arrows::drawn_radius(radius, unit);
+                from += force_arrows::touching(one.force, couple, drawn);
+            }
+            let tip = arrow(one) + (from - one.at);
+            if drawing.arrow(one.role, from, tip) {
+                drawing.name(one.role, one.name.clone(), tip, tip - from);
             }
         }
     }

@@ -35,6 +35,8 @@ pub fn force_symbol(name: &ForceName, is_couple: bool, numbers: Numbers<'_>) -> 
     };
     let above = match name.part {
         Component::Whole => "",
+        Component::X => "ˣ",
+        Component::Y => "ʸ",
         Component::Tangential => "ᵗ",
         Component::Normal => "ⁿ",
         Component::Along => "∥",

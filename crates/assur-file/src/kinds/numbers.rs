@@ -67,7 +67,18 @@ pub(super) const GEAR_TRAIN: [Pattern; 18] = [
 ];
 
 /// Fields of a linkage that are not dimensions of the mechanism.
-pub(super) const LINKAGE: [Pattern; 1] = [("band", Sort::Measure)];
+pub(super) const LINKAGE: [Pattern; 10] = [
+    ("band", Sort::Measure),
+    ("links[].mass_kg", Sort::Measure),
+    ("links[].inertia", Sort::Measure),
+    ("loads[].value", Sort::Measure),
+    ("springs[].stiffness", Sort::Measure),
+    ("springs[].free_length", Sort::Measure),
+    ("dampers[].damping", Sort::Measure),
+    ("friction[].coefficient", Sort::Measure),
+    ("friction[].radius", Sort::Measure),
+    ("flywheel", Sort::Measure),
+];
 
 pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("frame", Sort::Measure),

@@ -1,12 +1,16 @@
 //! Arrows of the forces on a moving linkage.
 
+use std::collections::BTreeMap;
+
 use assur::Vector;
-use assur::forces::{Reactions, Source};
-use assur::mechanism::{DriverSpec, FRAME, Mechanism, Pose};
+use assur::forces::{Cause, Component, ForceName, Reactions, Source};
+use assur::mechanism::{BodyId, DriverSpec, FRAME, Mechanism, Pose};
 use assur::motion::{Sampling, Shown, Spacing};
-use assur_draw::{Acting, ForceArrow, ForceScale, Role};
+use assur_draw::{Acting, ForceArrow, ForceScale, Role, force_symbol, touching};
 
 use super::Moving;
+use crate::forces::{Forces, friction_circle};
+use crate::polygons::body_number;
 
 /// Sampling of the motion for the scale of the arrows.
 const SAMPLING: Sampling = Sampling {
@@ -29,30 +33,66 @@ impl Moving {
     }
 
     fn scale_of_forces(&self) -> ForceScale {
-        let mut found = Reactions::default();
-        let mut pose = self.mechanism().blank::<3>();
         let mut poses = Vec::new();
-        for at in self.motion.samples(SAMPLING).into_iter().flatten() {
-            let placed = self.motion.place(at, &mut pose).is_ok();
-            if placed && self.forces().balance(&pose, at, &mut found).is_ok() {
-                poses.push(self.arrows(&pose, &found));
-            }
-        }
+        self.each_balanced(SAMPLING, |pose, found| poses.push(self.arrows(pose, found)));
         ForceScale::over(&poses, self.figure.size())
     }
 
+    /// Names of the forces whose arrows have names: the reactions in the order of the pairs, then what the drivers exert.
+    pub(super) fn names_of_forces(
+        forces: &Forces,
+        numbers: &BTreeMap<String, String>,
+    ) -> Vec<String> {
+        let mechanism = &forces.mechanism;
+        let number = |body| body_number(mechanism, numbers, body);
+        let symbol = |body, cause, is_couple| {
+            let part = Component::Whole;
+            force_symbol(&ForceName { body, cause, part }, is_couple, &number)
+        };
+        let reactions = forces.statics.pairs().map(|(pair, of)| {
+            let [on, from] = of.bodies;
+            symbol(on, Cause::Reaction { pair, from }, false)
+        });
+        let spec = mechanism.spec();
+        let drives = forces.statics.drivers().zip(&spec.drivers);
+        let drives = drives.map(|(driver, given)| {
+            let link = spec.driven(given).and_then(|link| mechanism.link(link));
+            let from = BodyId::FRAME;
+            let is_couple = matches!(given, DriverSpec::Crank { .. });
+            symbol(
+                mechanism.body_of(link),
+                Cause::Drive { driver, from },
+                is_couple,
+            )
+        });
+        reactions.chain(drives).collect()
+    }
+
     /// Reactions, each on the link placed later, applied forces, and what the drivers exert. What is statically
-    /// indeterminate is left out.
+    /// indeterminate is left out. The reaction of a hinge with friction touches the friction circle.
     fn arrows(&self, pose: &Pose<3>, found: &Reactions) -> Vec<ForceArrow> {
         let mechanism = self.mechanism();
         let mut arrows = Vec::new();
         for (id, _) in self.forces().statics.pairs() {
             let reaction = found.of(id);
-            let (at, role) = (reaction.place(mechanism), Role::Reaction);
-            let force = reaction.vector().map(Acting::Force);
+            let (mut at, role) = (reaction.place(mechanism), Role::Reaction);
+            let arrow = |at, acting, name| ForceArrow {
+                role,
+                at,
+                acting,
+                name,
+            };
             let moment = reaction.moment.map(Acting::Torque);
-            let parts = force.into_iter().chain(moment);
-            arrows.extend(parts.map(|acting| ForceArrow { role, at, acting }));
+            arrows.extend(moment.map(|acting| arrow(at, acting, None)));
+            let force = reaction.vector();
+            let circle = friction_circle(&self.forces().loading, found, id);
+            if let Some((radius, couple)) = circle {
+                arrows.push(arrow(at, Acting::Circle(radius), None));
+                let drawn = self.figure.drawn_circle(radius);
+                at += touching(force.unwrap_or_default(), couple, drawn);
+            }
+            let force = force.map(Acting::Force);
+            arrows.extend(force.map(|acting| arrow(at, acting, Some(id.index()))));
         }
         let mut is_opposite = false;
         for one in found.applied() {
@@ -69,13 +109,27 @@ impl Moving {
                 _ => Role::Force,
             };
             let at = one.place(mechanism);
-            let parts = [Acting::Force(one.force), Acting::Torque(one.couple)];
-            arrows.extend(parts.map(|acting| ForceArrow { role, at, acting }));
+            let mut parts = vec![Acting::Force(one.force)];
+            // A friction couple is the displacement of its reaction.
+            if !matches!(one.source, Source::Friction(_)) {
+                parts.push(Acting::Torque(one.couple));
+            }
+            arrows.extend(parts.into_iter().map(|acting| ForceArrow {
+                role,
+                at,
+                acting,
+                name: None,
+            }));
         }
+        let pairs = self.forces().statics.pairs().len();
         let drivers = mechanism.spec().drivers.iter();
         for (driver, spec) in self.forces().statics.drivers().zip(drivers) {
             let value = found.drive(driver);
-            arrows.extend(value.and_then(|value| drive(mechanism, pose, spec, value)));
+            let arrow = value.and_then(|value| drive(mechanism, pose, spec, value));
+            arrows.extend(arrow.map(|arrow| ForceArrow {
+                name: Some(pairs + driver.index()),
+                ..arrow
+            }));
         }
         arrows
     }
@@ -102,6 +156,7 @@ fn drive(
                 role: Role::Torque,
                 at: place(pivot)?,
                 acting: Acting::Torque(value),
+                name: None,
             })
         }
         DriverSpec::Slide { slide, .. } => {
@@ -112,6 +167,7 @@ fn drive(
                 role: Role::Torque,
                 at: place(&slide.point)?,
                 acting: Acting::Force(along * value),
+                name: None,
             })
         }
     }

@@ -16,7 +16,7 @@ use crate::pair::Pair;
 
 impl Moving {
     /// Whether a force is plotted.
-    pub(super) fn plots_forces(&self) -> bool {
+    pub(crate) fn plots_forces(&self) -> bool {
         let is_force = |column: &Column| column.kinematic().is_none();
         let of_pair = self.pair.iter();
         let mut of_pair = of_pair.flat_map(|pair| pair.x.iter().chain([&pair.y]));

@@ -31,7 +31,7 @@ impl Moving {
         })
     }
 
-    /// The plotted values at an input.
+    /// The plotted values at an input; empty if a plotted force has none there.
     fn on_plots(&self, input: f64, pose: &Pose<3>) -> Vec<f64> {
         let Some(pair) = &self.pair else {
             let forces = self.forces_on_plots(input, pose);
@@ -40,14 +40,15 @@ impl Moving {
         let mut found = Reactions::default();
         let balanced =
             self.plots_forces() && self.forces().balance(pose, input, &mut found).is_ok();
-        pair.values(input, |column| match column {
+        let values = pair.values(input, |column| match column {
             Column::Kinematic(column) => {
                 let jet = column.quantity.of(self.mechanism(), pose);
-                self.input().rate(&jet, column.order)
+                Some(self.input().rate(&jet, column.order))
             }
-            Column::Force(force) if balanced => force.value(self.forces(), &found).unwrap_or(0.0),
-            Column::Force(_) => 0.0,
-        })
+            Column::Force(force) if balanced => force.value(self.forces(), &found),
+            Column::Force(_) => None,
+        });
+        values.unwrap_or_default()
     }
 
     /// Frame of the animation in a pose, with the other assemblies if they are shown.

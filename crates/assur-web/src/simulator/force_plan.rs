@@ -1,6 +1,8 @@
 //! Force plans, Zhukovsky's lever and free bodies.
 
 use super::*;
+use crate::convert::read_value;
+use crate::equilibrium::StudentSheet;
 
 #[wasm_bindgen]
 impl Simulator {
@@ -32,6 +34,22 @@ impl Simulator {
     #[wasm_bindgen(js_name = freeBody, unchecked_return_type = "FreeBodyHere")]
     pub fn free_body(&self, input: f64, link: usize) -> Result<JsValue, JsValue> {
         let here = self.linkage()?.free_body(input, link);
+        Ok(to_js(&here.map_err(thrown)?))
+    }
+
+    /// The equations of equilibrium of a link at an input, in the senses and about the point that a student has chosen, with
+    /// the judgement of what the student has filled in; null if there is no such link.
+    ///
+    /// # Errors
+    /// Those of `forcePlan`; a malformed sheet.
+    #[wasm_bindgen(unchecked_return_type = "EquilibriumHere | null")]
+    pub fn equilibrium(
+        &self,
+        input: f64,
+        #[wasm_bindgen(unchecked_param_type = "StudentSheet")] sheet: JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let sheet: StudentSheet = read_value(&sheet)?;
+        let here = self.linkage()?.equilibrium(input, &sheet);
         Ok(to_js(&here.map_err(thrown)?))
     }
 }

@@ -15,14 +15,21 @@ impl Simulator {
         Ok(to_js(&here.map_err(thrown)?))
     }
 
-    /// The greatest of each reaction and of what each driver exerts over the motion, with its input, in the order of
-    /// `forces`.
+    /// The greatest of each reaction, of what each driver exerts and of the shaking force over the motion, with its input.
     ///
     /// # Errors
     /// A document that is not a moving linkage.
-    #[wasm_bindgen(js_name = greatestForces, unchecked_return_type = "GreatestHere[]")]
+    #[wasm_bindgen(js_name = greatestForces, unchecked_return_type = "GreatestForces")]
     pub fn greatest_forces(&self) -> Result<JsValue, JsValue> {
-        Ok(to_js(&self.linkage()?.greatest_forces()))
+        Ok(to_js(self.linkage()?.greatest_forces()))
+    }
+
+    /// Whether a force is plotted, in place of quantities of the motion.
+    #[wasm_bindgen(js_name = plotsForces)]
+    pub fn plots_forces(&self) -> bool {
+        let document = self.document.as_ref();
+        let linkage = document.and_then(|document| document.linkage());
+        linkage.is_some_and(Moving::plots_forces)
     }
 
     /// Masses, centres of mass and moments of inertia of the moving links.

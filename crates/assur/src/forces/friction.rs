@@ -305,6 +305,16 @@ impl Kinetostatics {
     }
 }
 
+impl Loading {
+    /// Hinges with friction and the radii of their friction circles; a hinge with two frictions is there twice.
+    pub fn friction_circles(&self) -> impl Iterator<Item = (PairId, f64)> {
+        self.friction.iter().filter_map(|one| match one.law {
+            FrictionLaw::Hinge { circle } => Some((one.pair, circle)),
+            FrictionLaw::Slide { .. } => None,
+        })
+    }
+}
+
 impl Reactions {
     /// Friction in the pairs whose bodies move relative to each other. A pair at rest is left out: its friction is
     /// undetermined and taken as zero, as is that of a statically indeterminate pair.

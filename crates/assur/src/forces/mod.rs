@@ -16,6 +16,7 @@
 //! | `block` | equilibrium of a driver, a dyad or any group, solved for the components of its pairs |
 //! | `kinetostatics`, `reactions` | reactions of all pairs and balancing torques of all drivers in a pose |
 //! | `free_body` | all forces and couples on a body |
+//! | `equilibrium` | the equations of a body in senses of a student's choice, and the judgement of answers |
 //! | `plan` | force plans, group by group, as constructed by hand |
 //! | `lever` | Zhukovsky's lever: the turned plan of velocities with the forces on it |
 //! | `friction` | dry friction in hinges and slides, efficiency, self-locking; the motion under load leaves it out |
@@ -36,6 +37,7 @@ mod block;
 mod cycle;
 mod defect;
 mod diagram;
+mod equilibrium;
 mod flywheel;
 mod free_body;
 mod friction;
@@ -59,6 +61,7 @@ pub use applied::{Applied, Source};
 pub use cycle::{CyclePoint, NoCycle, SteadyCycle};
 pub use defect::{Defect, Part};
 pub use diagram::{Diagram, DiagramPoint};
+pub use equilibrium::{Addend, Judged};
 pub use flywheel::{MAX_NON_UNIFORMITY, Mertsalov, Wittenbauer};
 pub use free_body::{Acting, Cause};
 pub use friction::Rubbing;

@@ -37,6 +37,10 @@ pub struct ForceName {
 pub enum Component {
     /// The whole force.
     Whole,
+    /// Horizontal component.
+    X,
+    /// Vertical component.
+    Y,
     /// Component normal to the line from the middle hinge; positive if its moment about the middle hinge is.
     Tangential,
     /// Component along the line from the middle hinge.

@@ -17,6 +17,8 @@ pub struct Counterweight {
     pub hinge: PointId,
     /// Mass times its vector from the fixed hinge, in the pose.
     pub moment: Vector,
+    /// Distance of the moving hinge of the link from the fixed one.
+    pub reach: f64,
 }
 
 impl Reactions {
@@ -99,6 +101,7 @@ pub fn counterweights(
             body,
             hinge,
             moment: -(of(centre) * own + borne * carried),
+            reach: radius.norm(),
         }
     });
     Some(weights)

@@ -180,13 +180,17 @@ impl LinkageDocument {
     }
 }
 
-/// Whether a name may be that of a plotted force: a part of a reaction, or what a driver exerts.
+/// Whether a name may be that of a plotted force: a part of a reaction or of the shaking force, or what a driver exerts.
 pub fn is_of_forces(name: &str) -> bool {
-    const FORCES: [&str; 6] = [
+    const FORCES: [&str; 10] = [
         "reaction",
         "reaction_x",
         "reaction_y",
         "reaction_moment",
+        "shaking",
+        "shaking_x",
+        "shaking_y",
+        "shaking_moment",
         "torque",
         "force",
     ];

@@ -152,6 +152,10 @@ pub enum LinkageProblem {
     CycleNotFound,
     /// A coefficient of non-uniformity that is not greater than zero, or too great.
     BadNonUniformity { max: f64 },
+    /// Counterweights of a linkage that is not a four-bar with hinges.
+    NotFourBar,
+    /// Counterweights of a four-bar without masses, or with masses that are already balanced.
+    AlreadyBalanced,
     /// Links whose reactions are unbounded in a singular pose.
     ReactionsUnbounded { links: Vec<String> },
     /// A defect of the specification.

@@ -261,7 +261,11 @@ impl Course {
     /// The plotted values at a time.
     fn on_plots(&self, time: f64, known: &Known) -> Vec<f64> {
         match &self.pair {
-            Some(pair) => pair.values(time, |column| known.rates(column.quantity)[column.order]),
+            Some(pair) => pair
+                .values(time, |column| {
+                    Some(known.rates(column.quantity)[column.order])
+                })
+                .unwrap_or_default(),
             None => {
                 let plotted = self.plotted.iter();
                 plotted.flat_map(|one| known.rates(*one)).collect()

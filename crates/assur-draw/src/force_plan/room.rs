@@ -1,0 +1,58 @@
+//! Room for each force plan over the whole motion, so that its scale stays while the linkage moves.
+
+use assur::forces::ForcePlan;
+use assur::sorting::sort_by;
+
+use super::{extent, size};
+
+/// Rectangles that hold each plan, by its number, in all usual poses of a motion.
+#[derive(Clone, Debug, Default)]
+pub struct PlanRooms(Vec<Option<[f64; 4]>>);
+
+impl PlanRooms {
+    /// The rooms of the plans in poses over a motion. A tenth of the poses, those with the greatest plans, is ignored,
+    /// because forces grow without bound near dead points.
+    pub fn over(poses: &[ForcePlan]) -> Self {
+        let numbers = poses.iter().flat_map(|plan| &plan.steps);
+        let count = numbers.map(|step| step.plan + 1).max().unwrap_or(0);
+        let room = |number: usize| {
+            let plans = poses.iter().filter_map(|plan| extent(plan, number));
+            let mut plans: Vec<[f64; 4]> = plans.collect();
+            sort_by(&mut plans, |a, b| size(*a).total_cmp(&size(*b)));
+            plans.truncate((plans.len() * 9).div_ceil(10));
+            plans.into_iter().reduce(joined)
+        };
+        Self((0..count).map(room).collect())
+    }
+
+    /// The room of a plan, enlarged to hold it in this pose.
+    pub(super) fn around(&self, number: usize, here: Option<[f64; 4]>) -> [f64; 4] {
+        let usual = self.0.get(number).copied().flatten();
+        let both = usual.into_iter().chain(here);
+        both.reduce(joined).unwrap_or([0.0, 0.0, 1.0, 1.0])
+    }
+}
+
+fn joined(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+    [
+        a[0].min(b[0]),
+        a[1].min(b[1]),
+        a[2].max(b[2]),
+        a[3].max(b[3]),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_room_holds_the_usual_and_the_present() {
+        let rooms = PlanRooms(vec![Some([0.0, -1.0, 2.0, 1.0])]);
+        let small = rooms.around(0, Some([0.0, 0.0, 0.5, 0.5]));
+        assert_eq!(small, [0.0, -1.0, 2.0, 1.0]);
+        let great = rooms.around(0, Some([-9.0, 0.0, 0.5, 0.5]));
+        assert_eq!(great, [-9.0, -1.0, 2.0, 1.0]);
+        assert_eq!(rooms.around(3, None), [0.0, 0.0, 1.0, 1.0]);
+    }
+}
