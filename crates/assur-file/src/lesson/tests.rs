@@ -344,11 +344,14 @@ fn every_number_of_a_rail_can_vary() {
 /// Masses and loads are no dimensions of the drawing, but numbers of the document.
 #[test]
 fn masses_and_loads_can_vary() {
-    let mut document = serde_json::to_value(document("crank-rocker").unwrap().unwrap()).unwrap();
-    document["document"]["links"][1]["mass"] = json!(2.5);
-    document["document"]["loads"] = json!([{ "link": "rocker", "value": 4.0 }]);
-    document["document"]["friction"] = json!([{ "hinge": "B", "coefficient": 0.1, "radius": 0.2 }]);
-    let document: Document = serde_json::from_value(document).unwrap();
+    let Document::Linkage(mut linkage) = document("crank-rocker").unwrap().unwrap() else {
+        panic!("no linkage");
+    };
+    let given = |list| serde_json::from_value(list).unwrap();
+    linkage.links[1].mass_kg = Some(2.5);
+    linkage.loads = serde_json::from_value(json!([{ "link": "rocker", "value": 4.0 }])).unwrap();
+    linkage.friction = given(json!([{ "hinge": "B", "coefficient": 0.1, "radius": 0.2 }]));
+    let document = Document::Linkage(linkage);
     let numbers = document.numbers().unwrap();
     for (field, value) in [
         ("links[1].mass_kg", 2.5),
