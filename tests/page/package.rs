@@ -54,5 +54,27 @@ fn the_package_is_installed_and_answers_as_the_golden_table() {
         error.contains("no mechanism nothing in the catalogue"),
         "{error}"
     );
+    // Reactions of a heavy crank, by the methods that the package declares: it holds the weight at half its length.
+    fs::write(place.join("forces.mjs"), FORCES).unwrap();
+    let mut node = Command::new("node");
+    let said = node.arg("forces.mjs").current_dir(&place).output().unwrap();
+    assert!(said.status.success(), "{said:?}");
+    let [torque, bearing]: [f64; 2] = serde_json::from_slice(&said.stdout).unwrap();
+    assert_near(torque, 2.0 * 9.81 * 0.2, 1e-11, "torque");
+    assert_near(bearing, 2.0 * 9.81, 1e-11, "reaction");
     fs::remove_dir_all(place).unwrap();
 }
+
+const FORCES: &str = r#"
+import { Simulator, defaultView } from "assur";
+const at = { A: [0, 0], B: [0.4, 0], C: [1, 0.8], D: [1.2, 0] };
+const document = {
+  unit: "m", gravity: [0, -9.81], frame: ["A", "D"], drivers: [{ crank: "crank" }],
+  points: Object.entries(at).map(([name, at]) => ({ name, at })),
+  links: [{ name: "crank", points: ["A", "B"], mass_kg: 2 }, { name: "coupler", points: ["B", "C"] }, { name: "rocker", points: ["D", "C"] }],
+};
+const simulator = new Simulator();
+simulator.set({ format: 2, kind: "linkage", document, view: { ...defaultView(), omega: 0, epsilon: 0 } });
+const { drives, reactions } = simulator.forces(0);
+console.log(JSON.stringify([drives[0].value, reactions.find(({ pair }) => pair === "A").value]));
+"#;

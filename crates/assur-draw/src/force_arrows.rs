@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn a_reaction_touches_the_friction_circle() {
         for (force, couple) in [
-            (Vector::new(3.0, 4.0), 2.0),
+            (Vector::new(3.0, 4.0), 2.0_f64),
             (Vector::new(-3.0, 4.0), -2.0),
             (Vector::new(0.0, -1.0), 0.4),
         ] {

@@ -125,3 +125,38 @@ fn collect(part: &Value, path: String, rest: &str, found: &mut Vec<(String, f64)
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::super::Kind;
+    use crate::{LinkageDocument, from_catalogue};
+
+    /// Masses and loads are no dimensions of the drawing, but numbers that a lesson may vary.
+    #[test]
+    fn masses_and_loads_are_numbers_of_a_linkage() {
+        let mut linkage: LinkageDocument = from_catalogue("crank-rocker").unwrap().unwrap();
+        linkage.links[1].mass_kg = Some(2.5);
+        linkage.loads =
+            serde_json::from_value(json!([{ "link": "rocker", "value": 4.0 }])).unwrap();
+        let friction = json!([{ "hinge": "B", "coefficient": 0.1, "radius": 0.2 }]);
+        linkage.friction = serde_json::from_value(friction).unwrap();
+        let numbers = linkage.numbers().unwrap();
+        for (field, value) in [
+            ("links[1].mass_kg", 2.5),
+            ("loads[0].value", 4.0),
+            ("friction[0].coefficient", 0.1),
+            ("friction[0].radius", 0.2),
+        ] {
+            let own = numbers.iter().find(|number| &*number.field == field);
+            let own = own.unwrap_or_else(|| panic!("{field}: {numbers:?}"));
+            assert_eq!((own.value, own.whole, own.followed), (value, false, false));
+        }
+        assert!(
+            !numbers
+                .iter()
+                .any(|number| &*number.field == "links[0].mass_kg")
+        );
+    }
+}

@@ -341,32 +341,6 @@ fn every_number_of_a_rail_can_vary() {
     }
 }
 
-/// Masses and loads are no dimensions of the drawing, but numbers of the document.
-#[test]
-fn masses_and_loads_can_vary() {
-    let Document::Linkage(mut linkage) = document("crank-rocker").unwrap().unwrap() else {
-        panic!("no linkage");
-    };
-    let given = |list| serde_json::from_value(list).unwrap();
-    linkage.links[1].mass_kg = Some(2.5);
-    linkage.loads = serde_json::from_value(json!([{ "link": "rocker", "value": 4.0 }])).unwrap();
-    linkage.friction = given(json!([{ "hinge": "B", "coefficient": 0.1, "radius": 0.2 }]));
-    let document = Document::Linkage(linkage);
-    let numbers = document.numbers().unwrap();
-    for (field, value) in [
-        ("links[1].mass_kg", 2.5),
-        ("loads[0].value", 4.0),
-        ("friction[0].coefficient", 0.1),
-        ("friction[0].radius", 0.2),
-    ] {
-        let own = numbers.iter().find(|number| &*number.field == field);
-        let own = own.unwrap_or_else(|| panic!("{field}: {numbers:?}"));
-        assert_eq!((own.value, own.whole, own.followed), (value, false, false));
-        varied(&document, field, [value, value + 2.0, 0.5]).unwrap();
-    }
-    assert!(varied(&document, "links[0].mass_kg", [1.0, 2.0, 0.5]).is_err());
-}
-
 #[test]
 fn what_varies_is_a_number_of_what_is_shown() {
     let mixer = document("mixer-a").unwrap().unwrap();
