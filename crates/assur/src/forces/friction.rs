@@ -306,7 +306,7 @@ impl Kinetostatics {
 }
 
 impl Loading {
-    /// Hinges with friction and the radii of their friction circles; a hinge with two frictions is there twice.
+    /// Hinges with friction and the radii of their friction circles.
     pub fn friction_circles(&self) -> impl Iterator<Item = (PairId, f64)> {
         self.friction.iter().filter_map(|one| match one.law {
             FrictionLaw::Hinge { circle } => Some((one.pair, circle)),
