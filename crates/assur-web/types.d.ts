@@ -207,8 +207,8 @@ limits: BodyNumbers | null,
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
 export type GreatestForces = { greatest: Array<GreatestHere>, 
 /**
- * Number of poses in which they are sought, and in how many of these friction holds the linkage whatever the driver
- * does, so that there are no reactions.
+ * Number of poses in which they are sought, and in how many of these friction holds the linkage whatever the
+ * driver does, so that there are no reactions.
  */
 poses: number, locked: number, };
 export type GreatestHere = { 

@@ -57,8 +57,8 @@ pub(crate) fn circle(list: &mut List, role: Role, at: Point, radius: f64, unit: 
     list.circle(role, look, at, drawn);
 }
 
-/// Displacement of the line of a reaction in a hinge with a friction couple, so that the line touches the circle of this
-/// drawn radius: its moment about the hinge has the sign of the couple. Zero without a force.
+/// Displacement of the line of a reaction in a hinge with a friction couple, so that the line touches the circle of
+/// this drawn radius: its moment about the hinge has the sign of the couple. Zero without a force.
 pub fn touching(reaction: Vector, couple: f64, drawn: f64) -> Vector {
     let along = reaction.try_normalize(0.0).unwrap_or_default();
     let sense = if couple == 0.0 { 0.0 } else { couple.signum() };

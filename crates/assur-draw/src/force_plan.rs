@@ -89,8 +89,8 @@ fn role(known: bool, is_reaction: bool) -> Role {
 }
 
 /// Draws a force plan up to a step: the polygon of its group with the reactions found so far or, for a sum of moments,
-/// the links with their forces and arms. `shown` is the number of steps, at least 1; `rooms` keep the scale of each plan
-/// over the motion.
+/// the links with their forces and arms. `shown` is the number of steps, at least 1; `rooms` keep the scale of each
+/// plan over the motion.
 pub fn plan_picture(
     mechanism: &Mechanism,
     pose: &Pose<3>,

@@ -61,8 +61,8 @@ pub enum Edit {
         section: f64,
         density: f64,
     },
-    /// Adds the counterweights that balance a four-bar statically: links fixed to the two links that turn about fixed hinges,
-    /// each with its mass opposite to the moving hinge and as far from the fixed one.
+    /// Adds the counterweights that balance a four-bar statically: links fixed to the two links that turn about fixed
+    /// hinges, each with its mass opposite to the moving hinge and as far from the fixed one.
     Balance {},
     /// Moves points by a displacement.
     Move { points: Vec<String>, by: [f64; 2] },

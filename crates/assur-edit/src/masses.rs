@@ -8,8 +8,8 @@ use assur_file::{LinkDocument, LinkageProblem};
 
 use crate::draw::Drawing;
 
-/// Moments of counterweights smaller than this share of the mass of the links times the size of the drawing are rounding
-/// errors of zero.
+/// Moments of counterweights smaller than this share of the mass of the links times the size of the drawing are
+/// rounding errors of zero.
 const BALANCED: f64 = 1e-9;
 
 impl Drawing {

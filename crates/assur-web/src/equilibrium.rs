@@ -23,7 +23,8 @@ pub(crate) struct StudentSheet {
     answers: Vec<[Option<f64>; 4]>,
 }
 
-/// The equations of equilibrium of a link in the senses and about the point of a sheet, with the judgement of its answers.
+/// The equations of equilibrium of a link in the senses and about the point of a sheet, with the judgement of its
+/// answers.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct EquilibriumHere {

@@ -1,5 +1,5 @@
-//! Quantities of the forces of a linkage that can be plotted: reactions, torques and forces of the drivers, and the shaking
-//! force. They have no derivatives.
+//! Quantities of the forces of a linkage that can be plotted: reactions, torques and forces of the drivers, and the
+//! shaking force. They have no derivatives.
 
 use assur::forces::{DriverId, Pair, PairId, Reactions};
 use assur::mechanism::{DriverSpec, FRAME};

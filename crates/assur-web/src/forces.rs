@@ -86,8 +86,8 @@ impl Forces {
     }
 }
 
-/// Radius of the friction circle of a pair, and the friction couple on the first of its bodies; none without friction in
-/// a hinge.
+/// Radius of the friction circle of a pair, and the friction couple on the first of its bodies; none without friction
+/// in a hinge.
 pub(crate) fn friction_circle(
     loading: &Loading,
     found: &Reactions,

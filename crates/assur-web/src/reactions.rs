@@ -101,8 +101,8 @@ pub(crate) struct AppliedHere {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct GreatestForces {
     greatest: Vec<GreatestHere>,
-    /// Number of poses in which they are sought, and in how many of these friction holds the linkage whatever the driver
-    /// does, so that there are no reactions.
+    /// Number of poses in which they are sought, and in how many of these friction holds the linkage whatever the
+    /// driver does, so that there are no reactions.
     poses: usize,
     locked: usize,
 }
@@ -215,8 +215,8 @@ impl Moving {
         }
     }
 
-    /// The greatest magnitudes of reactions, of what drivers exert and of the shaking force, at steps of one degree over the
-    /// motion.
+    /// The greatest magnitudes of reactions, of what drivers exert and of the shaking force, at steps of one degree
+    /// over the motion.
     pub(crate) fn greatest_forces(&self) -> &GreatestForces {
         let forces = self.forces();
         forces.greatest.get_or_init(|| {

@@ -38,7 +38,8 @@ impl Moving {
         ForceScale::over(&poses, self.figure.size())
     }
 
-    /// Names of the forces whose arrows have names: the reactions in the order of the pairs, then what the drivers exert.
+    /// Names of the forces whose arrows have names: the reactions in the order of the pairs, then what the drivers
+    /// exert.
     pub(super) fn names_of_forces(
         forces: &Forces,
         numbers: &BTreeMap<String, String>,

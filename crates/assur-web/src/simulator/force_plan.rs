@@ -37,8 +37,8 @@ impl Simulator {
         Ok(to_js(&here.map_err(thrown)?))
     }
 
-    /// The equations of equilibrium of a link at an input, in the senses and about the point that a student has chosen, with
-    /// the judgement of what the student has filled in; null if there is no such link.
+    /// The equations of equilibrium of a link at an input, in the senses and about the point that a student has chosen,
+    /// with the judgement of what the student has filled in; null if there is no such link.
     ///
     /// # Errors
     /// Those of `forcePlan`; a malformed sheet.

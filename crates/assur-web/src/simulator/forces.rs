@@ -15,7 +15,8 @@ impl Simulator {
         Ok(to_js(&here.map_err(thrown)?))
     }
 
-    /// The greatest of each reaction, of what each driver exerts and of the shaking force over the motion, with its input.
+    /// The greatest of each reaction, of what each driver exerts and of the shaking force over the motion, with its
+    /// input.
     ///
     /// # Errors
     /// A document that is not a moving linkage.

@@ -75,9 +75,9 @@ impl Addend {
 }
 
 impl Kinetostatics {
-    /// Addends of the equations of equilibrium of a body, moments about a place: given forces and couples in the senses in
-    /// which they act, then the unknowns. Each component of a reaction is an unknown: x and y of a hinge, normal force and
-    /// moment of a slide; then the balancing torques and forces.
+    /// Addends of the equations of equilibrium of a body, moments about a place: given forces and couples in the senses
+    /// in which they act, then the unknowns. Each component of a reaction is an unknown: x and y of a hinge, normal
+    /// force and moment of a slide; then the balancing torques and forces.
     ///
     /// An unknown acts on the first body of its pair to the right, upwards, to the left of the line of a slide, or
     /// counter-clockwise, unless its number is in `reversed`; on the second body it is opposite.
@@ -210,8 +210,9 @@ mod tests {
     use crate::linkage::LinkageSpec;
     use crate::motion::Motion;
 
-    /// Crank 3 upright, rod 5 from (0, 3) to (4, 0) with the weight 10 at its middle, slider on the x-axis with the weight
-    /// 20 and the force −100. The rod has the force (100, −70) in B and (−100, 80) in C; the guide exerts 100 on the slider.
+    /// Crank 3 upright, rod 5 from (0, 3) to (4, 0) with the weight 10 at its middle, slider on the x-axis with the
+    /// weight 20 and the force −100. The rod has the force (100, −70) in B and (−100, 80) in C; the guide exerts 100 on
+    /// the slider.
     fn slider_crank() -> (Motion, Kinetostatics, Reactions) {
         let spec = LinkageSpec::default()
             .point("A", 0.0, 0.0)
