@@ -181,6 +181,66 @@ fn a_line_through_a_point_gives_a_block() {
     }
 }
 
+/// A point of the body on a line and a line of the body through a point: a slider and a block are both among the pairs,
+/// and the conics of both planes share a line.
+#[test]
+fn a_slider_and_a_block() {
+    let mut dice = Dice::new(36);
+    for _ in 0..100 {
+        let (pivot, offset) = (Point::new(0.5, 2.0), dice.between(-1.0, 1.0));
+        let poses: Vec<[f64; 3]> = (0..5)
+            .map(|_| dice.between(-3.0, 3.0))
+            .map(|x| {
+                let to = pivot - Point::new(x, 0.0);
+                [x, 0.0, to.y.atan2(to.x) - (offset / to.norm()).asin()]
+            })
+            .collect();
+        let found = Burmester::new(&task(&poses)).unwrap();
+        assert!(found.complete, "{found:?} {poses:?}");
+        for code in ["PR", "RP"] {
+            let count = found
+                .dyads
+                .iter()
+                .filter(|dyad| dyad.code() == code)
+                .count();
+            assert_eq!(count, 1, "{found:?} {poses:?}");
+        }
+    }
+}
+
+/// A centre point 10³ to 10⁸ times as far away as the poses: nearly a slider.
+#[test]
+fn nearly_a_slider() {
+    let mut dice = Dice::new(37);
+    for number in 0..120 {
+        let radius = 10_f64.powi(3 + number % 6);
+        let poses: Vec<[f64; 3]> = (0..5)
+            .map(|_| (dice.between(-3.0, 3.0), dice.angle()))
+            .map(|(x, angle)| {
+                [
+                    x,
+                    x * x / (radius + (radius * radius - x * x).sqrt()),
+                    angle,
+                ]
+            })
+            .collect();
+        let task = task(&poses);
+        let found = Burmester::new(&task).unwrap();
+        let origin = task.poses()[0].place();
+        let is_far = |dyad: &Dyad| match *dyad {
+            Dyad::Hinges { pivot, point } => {
+                (point - origin).norm() < 1e-6 && (pivot.y / radius - 1.0).abs() < 1e-12 * radius
+            }
+            _ => false,
+        };
+        assert!(found.complete, "{found:?} {poses:?}");
+        assert!(
+            found.dyads.iter().any(is_far),
+            "{radius:e} {found:?} {poses:?}"
+        );
+    }
+}
+
 /// Poses of an elliptic trammel: all points of a circle of the body move on lines.
 #[test]
 fn an_elliptic_trammel_has_a_family() {

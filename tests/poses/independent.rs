@@ -57,7 +57,7 @@ fn solution(task: &Task, mut z: Unknowns) -> Option<Unknowns> {
     None
 }
 
-/// Solutions from many starts, and how often the rarest of them was found.
+/// Solutions from many starts, each with the number of starts that led to it.
 fn solutions(task: &Task, dice: &mut Dice) -> Vec<(Unknowns, usize)> {
     let mut found: Vec<(Unknowns, usize)> = Vec::new();
     for _ in 0..STARTS {

@@ -235,9 +235,9 @@ fn far(dyad: &Dyad) -> f64 {
     }
 }
 
-/// The least transmission angle between the poses is that of a fine sampling of the motion.
+/// The least transmission angle between the poses is at most that of each pose.
 #[test]
-fn transmission_of_a_sampled_motion() {
+fn transmission_in_the_poses() {
     let mut dice = Dice::new(23);
     let mut judged = 0;
     for _ in 0..200 {
@@ -255,7 +255,7 @@ fn transmission_of_a_sampled_motion() {
             continue;
         };
         let [from, to] = [0, 1].map(|k| linkage.dyads[k]);
-        let (Dyad::Hinges { pivot: a, point: b }, Dyad::Hinges { pivot: d, point: c }) = (from, to)
+        let (Dyad::Hinges { point: b, .. }, Dyad::Hinges { pivot: d, point: c }) = (from, to)
         else {
             panic!("{given:?}");
         };
@@ -265,7 +265,6 @@ fn transmission_of_a_sampled_motion() {
             let angle = rod.perp(&arm).abs().atan2(rod.dot(&arm).abs());
             assert!(angle >= least - 1e-7, "{angle} {least} {given:?}");
         }
-        assert!(a != d);
         judged += 1;
     }
     assert!(judged >= 100, "{judged}");

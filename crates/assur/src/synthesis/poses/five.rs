@@ -137,7 +137,7 @@ struct Conics {
     degenerate: bool,
 }
 
-/// A rotation that brings no special point of a task to infinity: rows are (2, 3, 6)/7, (6, 2, −3)/7, (3, −6, 2)/7.
+/// A rotation to axes in which no point at infinity of the task's own axes has a special place: rows are (2, 3, 6)/7, (6, 2, −3)/7, (3, −6, 2)/7.
 fn axes() -> Matrix3<f64> {
     Matrix3::new(2.0, 3.0, 6.0, 6.0, 2.0, -3.0, 3.0, -6.0, 2.0) / 7.0
 }
