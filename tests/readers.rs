@@ -2,7 +2,7 @@
 //! it; an accepted text, written and read again, is the same. No reader panics or hangs. Tests of the same kind for the
 //! terminal are in `crates/assur-cli/tests/damaged.rs`, for addresses of the page in `www/app/damage.test.js`.
 
-use assur_file::{Document, FORMAT, State, catalogue, document, document_of, schemes, trains};
+use assur_file::{Document, FORMAT, State, catalogue, document, document_of, poses, schemes, trains};
 use assur_import::{read, recognised};
 use assur_tests::damage::{Dice, checked, damaged, fuzz};
 use assur_tests::files::{source, texts};
@@ -30,7 +30,7 @@ fn stated(document: &Document) -> Value {
 
 /// Every document of the catalogue.
 fn documents() -> impl Iterator<Item = Document> {
-    let names = catalogue().chain(trains()).chain(schemes());
+    let names = catalogue().chain(trains()).chain(schemes()).chain(poses());
     names.map(|name| document(name).unwrap().unwrap())
 }
 

@@ -64,6 +64,7 @@ mod picture_kept;
 mod pixels;
 mod plots;
 mod pointer;
+mod poses;
 mod print;
 mod random_user;
 mod readme;

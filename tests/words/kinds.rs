@@ -15,13 +15,17 @@ pub(crate) struct Kind {
 }
 
 impl Kind {
-    /// Where its tables stand; `*` for the language.
-    pub(crate) fn place(&self) -> String {
-        format!("www/kinds/{}/words.*.json", self.id)
+    /// Where its tables stand; `*` for the language: those of the first view and, if there are any, those that are
+    /// loaded with the kind.
+    pub(crate) fn places(&self) -> impl Iterator<Item = String> {
+        let places = ["words", "later"].map(|name| format!("www/kinds/{}/{name}.*.json", self.id));
+        let there = |place: &String| root().join(place.replace('*', "en")).exists();
+        places.into_iter().filter(there)
     }
 
     pub(crate) fn words(&self) -> Words {
-        tables(&self.place()).swap_remove(0).2
+        let tables = self.places().map(|place| tables(&place).swap_remove(0).2);
+        tables.flatten().collect()
     }
 
     /// How the keys begin that its scripts build.

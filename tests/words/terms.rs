@@ -105,7 +105,8 @@ fn texts(lang: &str) -> Vec<(String, String)> {
     let of_lessons = lessons()
         .into_iter()
         .map(|lesson| format!("{lesson}/words.*.json"));
-    let of_kinds = kinds::kinds().into_iter().map(|kind| kind.place());
+    let kinds = kinds::kinds();
+    let of_kinds = kinds.iter().flat_map(kinds::Kind::places);
     let places = of_lessons.chain(of_kinds).chain(tables_of_lessons("paper"));
     let places: Vec<String> = places.chain([PAGE.to_owned()]).collect();
     let of_place = |place: &String| {
@@ -144,7 +145,8 @@ fn words_out_of_use_stay_out() {
 
 /// Everything that the page says of its tables, the kinds' among them, in one language.
 pub(crate) fn page_words_in(lang: &str) -> Words {
-    let places = kinds::kinds().into_iter().map(|kind| kind.place());
+    let kinds = kinds::kinds();
+    let places = kinds.iter().flat_map(kinds::Kind::places);
     let tables = places.chain([PAGE.to_owned()]).map(|place| {
         let mut all = tables(&place).into_iter();
         all.find(|(found, _, _)| *found == lang).unwrap().2

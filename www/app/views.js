@@ -151,7 +151,13 @@ export class Views {
   /** @param {string} kind */
   #bring(kind) {
     const load = LATER.get(kind);
-    if (load) this.#bringing.bring(`kind ${kind}`, async () => this.#add(kind, (await awaited(load())).views));
+    if (!load) return;
+    this.#bringing.bring(`kind ${kind}`, async () => {
+      const loading = awaited(load());
+      const { views, words } = await loading;
+      if (words) await this.#page.withWords(words, loading);
+      this.#add(kind, views);
+    });
   }
 
   /**

@@ -16,7 +16,7 @@ import { initialState } from "assur/state/state.js";
  */
 
 /** Groups of the catalogue, in the order of teaching. */
-const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "higher", "schemes"]);
+const GROUPS = Object.freeze(["four_bars", "six_bars", "guides", "geared", "higher", "tasks", "schemes"]);
 
 /**
  * @param {Page} page

@@ -46,19 +46,22 @@ import { DRAWN, PARTS } from "assur/state/state.js";
  */
 
 /**
- * Kinds of documents that have an input.
+ * Kinds of documents that have an input, at least some of them.
  * @typedef {{ [K in Kind]: import("assur/state/details.js").Summaries[K] extends { moves: null } ? never : K }[Kind]} Moving
  */
 
 /**
  * The drawn mechanism: its kind and the engine's summary.
- * @template {Kind} [K=Moving]
+ * @template {Kind} K
  * @typedef {K extends Kind ? { kind: K, summary: import("assur/state/details.js").Summaries[K] } : never} Drawn
  */
 
+/** @typedef {{ [K in Moving]: { kind: K, summary: Exclude<import("assur/state/details.js").Summaries[K], { moves: null }> } }[Moving]} InMotion drawn mechanism with an input */
+
 /**
- * @template {Kind} [K=Moving]
- * @typedef {Shown & Drawn<K>} Snapshot
+ * Snapshot of a document of kind K or, by default, of any document with an input.
+ * @template {Kind} [K=never]
+ * @typedef {Shown & ([K] extends [never] ? InMotion : Drawn<K>)} Snapshot
  */
 
 /** @typedef {Snapshot<Kind>} AnySnapshot snapshot of any document, also of one without an input */

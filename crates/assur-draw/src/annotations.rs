@@ -4,6 +4,7 @@ use assur::Point;
 use assur::gears::GearSet;
 use assur::mixer::Mixer;
 
+use crate::guidance::Guidance;
 use crate::list::Role;
 
 /// Annotations of a drawing. Links and points are identified by name; annotations with unknown names are ignored.
@@ -26,6 +27,8 @@ pub struct Annotations {
     pub corners: Vec<([String; 3], String)>,
     /// The given positions of a synthesis.
     pub given: Vec<GivenPosition>,
+    /// Poses of the guided body.
+    pub guidance: Guidance,
     /// Ordinate of the ground line, which is drawn only if its distance from the drawing is at most the drawing's size.
     pub ground: Option<f64>,
 }
@@ -157,6 +160,7 @@ impl From<&Mixer> for Annotations {
             loop_vectors: vectors.to_vec(),
             corners: Vec::new(),
             given: Vec::new(),
+            guidance: Guidance::default(),
             ground: None,
         }
     }

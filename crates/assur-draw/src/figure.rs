@@ -1,7 +1,7 @@
 //! The drawing of a linkage to scale: supports, links, blocks on guides, wheels in mesh, paths and overlays.
 
 mod beside;
-mod bounds;
+pub(crate) mod bounds;
 mod given;
 mod labels;
 mod layout;
@@ -134,7 +134,7 @@ impl Figure {
         } else {
             Vec::new()
         };
-        let given = Given::new(&view.annotations.given, &mut names);
+        let given = Given::new(&view.annotations, &mut names);
         let forces = view.forces.iter().map(|name| names.add(name.clone()));
         let forces = forces.collect();
 

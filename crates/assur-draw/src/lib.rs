@@ -6,6 +6,7 @@
 //! |---|---|
 //! | `figure.rs`, `figure/` | the drawing of any motion: joints, bars, plates, slides, wheels, paths, numbers, overlaid arrows and circles |
 //! | `sketch.rs`, `scheme.rs`, `train.rs`, `polygon.rs` | an unfinished drawing; links and pairs, cut open; a differential; polygons to scale |
+//! | `guidance.rs` | poses of a body, with the curves of its hinges |
 //! | `force_arrows.rs` | arrows of forces and torques, friction circles |
 //! | `force_plan.rs`, `force_plan/` | force plans to scale, free bodies, Zhukovsky's lever |
 //! | `annotations.rs`, `overlays.rs`, `parts.rs`, `gear.rs` | annotations of a document; overlays; symbols of textbooks; involute teeth |
@@ -18,6 +19,7 @@ mod figure;
 mod force_arrows;
 mod force_plan;
 mod gear;
+mod guidance;
 mod list;
 mod overlays;
 mod parts;
@@ -35,6 +37,7 @@ pub use force_plan::{
     ForcePicture, FrictionCircle, Numbers, PlanRooms, equilibrium_picture, force_symbol,
     free_body_picture, lever_picture, plan_picture,
 };
+pub use guidance::{DrawnPose, Guidance, GuidanceSheet};
 pub use list::{List, ROLES, Role};
 pub use overlays::Overlays;
 pub use polygon::{PolygonPicture, PolygonSheet, PolygonStep, polygon_steps};

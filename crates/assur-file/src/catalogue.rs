@@ -9,7 +9,8 @@ use serde::{Deserialize, Serialize};
 use crate::reader::from_json;
 use crate::text::json;
 use crate::{
-    Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem, SchemeDocument, State,
+    Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem,
+    SchemeDocument, State,
 };
 
 /// The mixers of the source paper's figure, by name. The engine provides their dimensions.
@@ -37,6 +38,8 @@ pub enum GalleryCategory {
     Higher,
     /// Schemes of links and pairs. They serve to compute mobility and do not move.
     Schemes,
+    /// Tasks of synthesis: poses of a body.
+    Tasks,
 }
 
 /// A mechanism of the catalogue.
@@ -155,6 +158,12 @@ const TRAINS: &[(&str, &str)] = others! {
     "train-bevel",
 };
 
+/// Poses of a body.
+const POSES: &[(&str, &str)] = others! {
+    "poses-three",
+    "poses-five",
+};
+
 /// The names of the linkages of the catalogue, without the mixers.
 pub fn gallery() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|file| file.name)
@@ -176,6 +185,11 @@ pub fn trains() -> impl Iterator<Item = &'static str> {
     TRAINS.iter().map(|(name, _)| *name)
 }
 
+/// The names of the tasks of the catalogue that are poses of a body.
+pub fn poses() -> impl Iterator<Item = &'static str> {
+    POSES.iter().map(|(name, _)| *name)
+}
+
 /// The mixers of the catalogue, which come first in it.
 pub fn mixers() -> [Preset; 3] {
     MIXERS.map(|(id, case)| Preset {
@@ -189,7 +203,7 @@ pub fn mixers() -> [Preset; 3] {
 /// # Errors
 /// The problems of a document; a test ensures that there are none.
 pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
-    let ids = catalogue().chain(trains()).chain(schemes());
+    let ids = catalogue().chain(trains()).chain(schemes()).chain(poses());
     let documents = ids.filter_map(|id| Some((id, document(id)?)));
     documents.map(|(id, document)| {
         let document = document?;
@@ -207,6 +221,7 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
         let Preset { id, document } = preset?;
         let other = match document {
             Document::Scheme(_) => Some(GalleryCategory::Schemes),
+            Document::Poses(_) => Some(GalleryCategory::Tasks),
             Document::GearTrain(_) => Some(GalleryCategory::Geared),
             Document::Draft(_)
             | Document::Linkage(_)
@@ -248,6 +263,9 @@ pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
             document.origin = Some((*id).to_owned());
             Document::Scheme(document)
         }));
+    }
+    if let Some((_, text)) = POSES.iter().find(|(one, _)| *one == name) {
+        return Some(whole(text).map(Document::Poses));
     }
     if let Some((id, text)) = TRAINS.iter().find(|(one, _)| *one == name) {
         return Some(whole(text).map(|mut document: GearTrainDocument| {

@@ -7,7 +7,10 @@ use assur::mobility::{CutError, SchemeDefect};
 use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
-use crate::{GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, SynthesisProblem};
+use crate::{
+    GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, PosesProblem,
+    SynthesisProblem,
+};
 
 /// The path of a field in the saved form, such as `l1` or `wheels[2].z`.
 pub type Field = Cow<'static, str>;
@@ -69,6 +72,9 @@ pub enum Problem {
     /// A problem of a synthesis.
     #[serde(untagged)]
     Synthesis(SynthesisProblem),
+    /// A problem of poses of a body.
+    #[serde(untagged)]
+    Poses(PosesProblem),
     /// A problem of a scheme of links and pairs.
     #[serde(untagged)]
     Scheme(SchemeDefect),
@@ -100,6 +106,7 @@ macro_rules! of_parts {
 of_parts! {
     Linkage(LinkageProblem),
     Synthesis(SynthesisProblem),
+    Poses(PosesProblem),
     Scheme(SchemeDefect),
     Cut(CutError),
     Lesson(LessonProblem),

@@ -8,5 +8,6 @@
 mod gear_train;
 mod linkage;
 mod mutations;
+mod poses;
 mod scheme;
 mod synthesis;

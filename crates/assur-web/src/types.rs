@@ -15,6 +15,7 @@ use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
+use crate::kinds::poses::summary::{PairSummary, PosesSummary, TaskSummary};
 use crate::kinds::scheme::summary::SchemeSummary;
 use crate::kinds::synthesis::options::{FamilySummary, FoundSummary};
 use crate::kinds::synthesis::plane::PlaneSummary;
@@ -32,7 +33,7 @@ use crate::under_load::{CycleHere, RunHere};
 
 const HEAD: &str = "\
 import { Mend } from \"assur/types/edit.js\";
-import { Document, DocumentOf, Frozen, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from \"assur/types/file.js\";
+import { Document, DocumentOf, Frozen, HingeDocument, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from \"assur/types/file.js\";
 export type Kind = Document[\"kind\"];
 export type Summary = Summaries[Kind];
 export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: View, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
@@ -40,7 +41,7 @@ export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<
 export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
-export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 ";
 
 #[test]
@@ -65,6 +66,7 @@ fn the_scripts_know_what_crosses_the_border() {
         DraftSummary<'static>,
         SchemeSummary<'static>,
         SynthesisSummary<'static>,
+        PosesSummary<'static>,
     );
     type Synthesis = (
         FamilySummary,
@@ -72,6 +74,8 @@ fn the_scripts_know_what_crosses_the_border() {
         PlaneSummary,
         WantedSummary,
         PrintedSummary,
+        TaskSummary<'static>,
+        PairSummary,
     );
     type Here = (
         AssembliesHere,

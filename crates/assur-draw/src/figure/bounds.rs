@@ -3,7 +3,7 @@
 use assur::{Point, Vector};
 
 /// Returns the smallest rectangle around points; without points, a square about the origin.
-pub(super) fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
+pub(crate) fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
     let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY].map(Vector::repeat);
     for place in places {
         low = low.inf(&place.coords);
@@ -16,7 +16,7 @@ pub(super) fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
 }
 
 /// Returns the diagonal of a rectangle.
-pub(super) fn size([left, bottom, right, top]: [f64; 4]) -> f64 {
+pub(crate) fn size([left, bottom, right, top]: [f64; 4]) -> f64 {
     (right - left).hypot(top - bottom)
 }
 

@@ -5,6 +5,7 @@ pub(crate) mod gear_train;
 pub(crate) mod linkage;
 pub(crate) mod mixer;
 pub(crate) mod numbers;
+pub(crate) mod poses;
 pub(crate) mod scheme;
 pub(crate) mod synthesis;
 
@@ -22,6 +23,7 @@ use gear_train::GearTrainDocument;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
 use numbers::NumberField;
+use poses::PosesDocument;
 use scheme::SchemeDocument;
 use synthesis::SynthesisDocument;
 
@@ -153,6 +155,8 @@ kinds! {
     "linkage" => Linkage(LinkageDocument),
     /// A mixer: a crank-rocker with gears.
     "mixer" => Mixer(MixerDocument),
+    /// A body in given poses.
+    "poses" => Poses(PosesDocument),
     /// Links and pairs without motion.
     "scheme" => Scheme(SchemeDocument),
     /// A four-bar for given positions.

@@ -80,6 +80,12 @@ pub(super) const LINKAGE: [Pattern; 10] = [
     ("flywheel", Sort::Measure),
 ];
 
+pub(super) const POSES: [Pattern; 3] = [
+    ("poses[].x", Sort::Measure),
+    ("poses[].y", Sort::Measure),
+    ("poses[].angle_deg", Sort::Measure),
+];
+
 pub(super) const SYNTHESIS: [Pattern; 6] = [
     ("frame", Sort::Measure),
     ("phi0_deg", Sort::Measure),

@@ -160,6 +160,27 @@ pub(super) fn lengths(task: &Task, proportions: Proportions) -> [f64; 3] {
     [l1, l2, l3]
 }
 
+/// Code of a passage through positions.
+pub(crate) fn passage(passage: Passage) -> &'static str {
+    match passage {
+        Passage::Continuous => "continuous",
+        Passage::ThroughChangePoint => "through_change_point",
+        Passage::AcrossDeadPoint => "across_dead_point",
+        Passage::OtherCircuit => "other_circuit",
+        Passage::Unreached(_) => "unreached",
+    }
+}
+
+/// Code of an order of positions.
+pub(crate) fn order(order: Order) -> &'static str {
+    match order {
+        Order::Growing => "growing",
+        Order::Falling => "falling",
+        Order::Either => "either",
+        Order::Mixed => "mixed",
+    }
+}
+
 impl FunctionSummary {
     fn new(document: &SynthesisDocument, task: &Task, shown: &Solution) -> Option<Self> {
         let wanted = document.function.as_ref()?.wanted().ok()?;
@@ -186,19 +207,8 @@ impl SolutionSummary {
             output_error: solution.output_error(task),
             at_bound,
             verdict: verdict.map(|verdict| VerdictSummary {
-                passage: match verdict.passage {
-                    Passage::Continuous => "continuous",
-                    Passage::ThroughChangePoint => "through_change_point",
-                    Passage::AcrossDeadPoint => "across_dead_point",
-                    Passage::OtherCircuit => "other_circuit",
-                    Passage::Unreached(_) => "unreached",
-                },
-                order: match verdict.order {
-                    Order::Growing => "growing",
-                    Order::Falling => "falling",
-                    Order::Either => "either",
-                    Order::Mixed => "mixed",
-                },
+                passage: passage(verdict.passage),
+                order: order(verdict.order),
                 grashof: verdict.grashof.code(),
                 turns: verdict.turns,
                 transmission: verdict.transmission,

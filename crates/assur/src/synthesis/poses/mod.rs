@@ -16,6 +16,7 @@ mod dyad;
 mod five;
 mod linkage;
 mod locus;
+mod met;
 mod newton;
 mod solutions;
 mod special;
