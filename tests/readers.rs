@@ -2,7 +2,9 @@
 //! it; an accepted text, written and read again, is the same. No reader panics or hangs. Tests of the same kind for the
 //! terminal are in `crates/assur-cli/tests/damaged.rs`, for addresses of the page in `www/app/damage.test.js`.
 
-use assur_file::{Document, FORMAT, State, catalogue, document, document_of, poses, schemes, trains};
+use assur_file::{
+    Document, FORMAT, State, catalogue, document, document_of, poses, schemes, trains,
+};
 use assur_import::{read, recognised};
 use assur_tests::damage::{Dice, checked, damaged, fuzz};
 use assur_tests::files::{source, texts};

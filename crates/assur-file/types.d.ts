@@ -21,7 +21,7 @@ export type DamperDocument = {
 /** The points of its two ends. */ ends?: [AnchorDocument, AnchorDocument] | null, 
 /** The links between which it acts on their relative angular velocity, if it has no ends. */ links?: [string, string] | null, 
 /** Damping coefficient: N·s/m, or N·m·s. */ damping: number, };
-export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
+export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type DraftDocument = LinkageDocument;
 export type DriveDocument = { 
 /** The driven shaft. */ shaft: ShaftDocument, 
@@ -81,11 +81,12 @@ export type GearTrainDocument = {
 load: Array<[number, number]>, 
 /** The magnets of the two meshes. */ magnets: MagnetsDocument, 
 /** Inertia, mass and damping of the bodies. */ bodies: BodiesDocument, };
-export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher" | "schemes";
+export type Group = "four_bars" | "six_bars" | "guides" | "geared" | "higher" | "schemes" | "tasks";
 export type HarmonicDocument = { 
 /** Amplitude A, in the unit of the value. */ amplitude: number, 
 /** Order k: of the angle of a crank, or of the travel of a slide in the unit of lengths. */ order: number, 
 /** Phase α, degrees; 0 by default. */ phase_deg?: number | null, };
+export type HingeDocument = { "frame": [number, number] } | { "body": [number, number] };
 export type KindDocument = "revolute" | "prismatic" | "screw" | "cylindrical" | "universal" | "spherical" | "planar" | "sphere_in_cylinder" | "cylinder_on_plane" | "sphere_on_plane" | "class";
 export type LengthUnit = "m" | "cm" | "mm" | "in" | "none";
 export type LessonDocument = { 
@@ -237,13 +238,29 @@ export type PointDocument = {
 /** Name of the point. */ name: string, 
 /** Drawn coordinates x, y. */ at: [number, number], };
 export type PolesDocument = "alike" | "alternating";
+export type PoseDocument = { 
+/** Coordinates of the body's origin. */ x: number, 
+/** See `x`. */ y: number, 
+/** Direction of the body's x-axis. */ angle_deg: number, };
+export type PosesDocument = { 
+/** Unit of lengths; if absent, only proportions count. */ unit?: LengthUnit | null, 
+/** Two to five poses, in their order. */ poses: Array<PoseDocument>, 
+/** Corners of the drawn body, in its own coordinates; by default a triangle that points along its x-axis. */ body?: Array<[number, number]>, 
+/**
+ * At most two wanted hinges, one for each dyad. Four poses leave a curve for them, on which the nearest point is
+ * taken; five poses leave no choice of hinges. Without them, hinges at two corners of the body for up to three
+ * poses, and points all along the curve for four.
+ */
+hinges?: Array<HingeDocument>, 
+/** Opposite corners of the rectangle in which all hinges on the frame must be. */ region?: [[number, number], [number, number]] | null, 
+/** Number of the pair of dyads that is shown, from 1; if absent, the pair of the wanted hinges or the best one. */ solution?: number | null, };
 export type PositionDocument = { 
 /** Output angle φ₂: direction from the joint with the coupler to the fixed pivot. */ output_deg: number, 
 /** Input angle φ₃: direction from the fixed pivot to the joint with the coupler. */ input_deg: number, 
 /** Weight of the position if not all positions can be met. */ weight: number, 
 /** Coupler angle φ₁ at which the conditions of the paper are evaluated; if absent, that of the shown linkage. */ coupler_deg?: number | null, };
 export type Preset = { 
-/** Name in the catalogue. */ id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+/** Name in the catalogue. */ id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type QuestionDocument = { 
 /** Text of the question. */ text: string, 
 /** Hint after a wrong answer. */ hint?: string, 
@@ -272,7 +289,7 @@ export type Shelf = {
 /** Highest class of the Assur groups, in Roman numerals; none if the mechanism is not a linkage. */ class: string | null, };
 export type ShownDocument = { 
 /** The view. Only fields that differ from their defaults are saved. */ view: Partial<View>, 
-/** Numbers of the document that vary from reader to reader. */ vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+/** Numbers of the document that vary from reader to reader. */ vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type SlideDocument = { 
 /** The link that slides. */ link: string, 
 /** Point of the sliding link that keeps its drawn distance from the line. */ point: string, 

@@ -1,6 +1,6 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { Mend } from "assur/types/edit.js";
-import { Document, DocumentOf, Frozen, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from "assur/types/file.js";
+import { Document, DocumentOf, Frozen, HingeDocument, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from "assur/types/file.js";
 export type Kind = Document["kind"];
 export type Summary = Summaries[Kind];
 export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: View, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
@@ -8,7 +8,7 @@ export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<
 export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
-export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type ActingHere = { symbol: string, couple: boolean, 
 /** Components of the force; null if indeterminate, and for a couple. */ x: number | null, y: number | null, 
 /** Magnitude of the force, or the couple; null if indeterminate. */ size: number | null, 
@@ -22,6 +22,23 @@ export type AddendHere = { symbol: string,
 /** Whether the given arm is right; null if none is given. */ arm: boolean | null, };
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
+export type AloneSummary = { 
+/** Always null: poses alone have no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
+/**
+ * Inputs at which the shown linkage meets the poses, radians or in the unit of lengths; null if it does not meet the
+ * pose. Empty without a linkage.
+ */
+met: Array<number | null>, special: SpecialSummary | null, 
+/** Numbers of the poses, from 1, that equal an earlier one. */ repeated: Array<number>, dyads: Array<GuideSummary>, 
+/** A hinge of each shown dyad that chooses it; empty if the poses leave no choice. */ hinges: readonly HingeDocument[], 
+/** Number of dyads that are complex, of five poses. */ complex: number, 
+/** Whether no dyad is missing. Up to four poses leave more dyads than can be listed. */ complete: boolean, 
+/** Number of coordinates of a dyad that the poses leave free. */ freedoms: number, 
+/** The pairs of dyads, in numerical order. */ pairs: Array<DyadPairSummary>, 
+/** Numbers of the pairs, from 1, the best first. */ ranking: Array<number>, 
+/** Number of the shown pair, from 1; null if there is none. */ number: number | null, 
+/** The reasons why the shown pair is no linkage; empty if it is one. */ reasons: readonly Problem[], 
+/** The shown linkage, for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument } | null, };
 export type AppliedHere = { kind: "weight" | "inertia" | "load" | "spring" | "damper" | "friction", 
 /** Index of the load, spring, damper or friction in its list. */ index: number | null, link: string, x: number, y: number, 
 /** Magnitude of the force. */ value: number, 
@@ -123,6 +140,9 @@ export type Drawn = {
 export type DriveHere = { 
 /** Name of the quantity that can be plotted: `crank.torque` or `slider.force`. */ name: string, link: string, kind: "torque" | "force", value: number | null, };
 export type DwellSummary = { arc: [number, number], band: [number, number], };
+export type DyadPairSummary = { 
+/** Numbers of the dyads, from 1, the driving one first. */ dyads: [number, number], 
+/** Whether the pair passes through all poses without a break, in order. */ sound: boolean, verdict: GuidanceVerdict | null, };
 export type EquationSummary = { "kind": "distance", link: string, points: [string, string], } | { "kind": "offset", link: string, points: [string, string, string], } | { "kind": "direction", link: string, on: string, } | { "kind": "mesh", links: [string, string], carrier: string, teeth: [number, number], };
 export type EquilibriumHere = { 
 /** Points about which moments can be taken: those of the link first. */ points: Array<string>, addends: Array<AddendHere>, 
@@ -216,6 +236,40 @@ export type GreatestHere = {
 /** Its value with the greatest magnitude; none if it is statically indeterminate everywhere. */ value: number | null, 
 /** The input at which it is reached: radians of a crank, otherwise in the unit of lengths. */ input: number, };
 export type GroupSummary = { term: string, role: string, };
+export type GuidanceVerdict = { mechanism: "four_bar" | "slider_crank" | "inverted_slider_crank" | "double_slider" | "slider_block" | "double_block", 
+/** Grashof type of a four-bar. */ grashof: string | null, passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", turns: boolean, 
+/** Minimum transmission angle from the first pose to the last, radians. */ transmission: number | null, size_ratio: number, };
+export type GuideSummary = { code: "RR" | "PR" | "RP", 
+/** Centre point; null for a slider on the frame. */ centre: [number, number] | null, 
+/** Circle point in the first pose; null for a block. */ point: [number, number] | null, 
+/** Circle point in the body's own coordinates; null for a block. */ own: [number, number] | null, 
+/** Greatest distance by which a pose is missed. */ residual: number, };
+export type GuidedSummary = { four_bars: Array<FourBarSummary>, points: Array<string>, 
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
+/** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, 
+/**
+ * Inputs at which the shown linkage meets the poses, radians or in the unit of lengths; null if it does not meet the
+ * pose. Empty without a linkage.
+ */
+met: Array<number | null>, special: SpecialSummary | null, 
+/** Numbers of the poses, from 1, that equal an earlier one. */ repeated: Array<number>, dyads: Array<GuideSummary>, 
+/** A hinge of each shown dyad that chooses it; empty if the poses leave no choice. */ hinges: readonly HingeDocument[], 
+/** Number of dyads that are complex, of five poses. */ complex: number, 
+/** Whether no dyad is missing. Up to four poses leave more dyads than can be listed. */ complete: boolean, 
+/** Number of coordinates of a dyad that the poses leave free. */ freedoms: number, 
+/** The pairs of dyads, in numerical order. */ pairs: Array<DyadPairSummary>, 
+/** Numbers of the pairs, from 1, the best first. */ ranking: Array<number>, 
+/** Number of the shown pair, from 1; null if there is none. */ number: number | null, 
+/** The reasons why the shown pair is no linkage; empty if it is one. */ reasons: readonly Problem[], 
+/** The shown linkage, for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument } | null, };
 export type HaltSummary = { body: string, time: number, };
 export type HandleSummary = { name: string, role: string, 
 /** Whether pressing the handle without a drag has an effect. */ pressed: boolean, };
@@ -331,6 +385,7 @@ kind: "pole" | "equation" | "image" | "group",
 export type PolygonsHere = { 
 /** Steps of the construction, the same for both polygons. */ steps: Array<PolygonStepHere>, 
 /** Pictures of the velocity and acceleration polygons, drawn up to the requested step. */ pictures: [PolygonPictureHere, PolygonPictureHere], };
+export type PosesSummary = GuidedSummary | AloneSummary;
 export type PrintedSummary = { 
 /** Lengths l₁ (coupler), l₂ (output) and l₃ (input). */ lengths: [number, number, number], 
 /** ΣJ of these lengths; dimensionless, since J is computed from zᵢ = lᵢ/l₀. */ least: number, 
@@ -393,6 +448,8 @@ export type SolutionSummary = {
 /** Weighted sum of the squared gaps, l₀²ΣJ, in squares of the unit of lengths. */ sum: number, 
 /** Maximum error of the output angle, radians; none if a position is not reached. */ output_error: number | null, 
 /** Whether a length is at a bound of the search. */ at_bound: boolean, verdict: VerdictSummary | null, };
+export type SpecialSummary = { code: "still" | "rotation" | "line" | "parallelogram" | "parallel", 
+/** The pole; the direction of the line; the vector from a hinge of the body to its pivot. */ at: [number, number] | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
@@ -435,6 +492,22 @@ export type SynthesisSummary = {
 /** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
+export type TaskSummary = { 
+/**
+ * Inputs at which the shown linkage meets the poses, radians or in the unit of lengths; null if it does not meet the
+ * pose. Empty without a linkage.
+ */
+met: Array<number | null>, special: SpecialSummary | null, 
+/** Numbers of the poses, from 1, that equal an earlier one. */ repeated: Array<number>, dyads: Array<GuideSummary>, 
+/** A hinge of each shown dyad that chooses it; empty if the poses leave no choice. */ hinges: readonly HingeDocument[], 
+/** Number of dyads that are complex, of five poses. */ complex: number, 
+/** Whether no dyad is missing. Up to four poses leave more dyads than can be listed. */ complete: boolean, 
+/** Number of coordinates of a dyad that the poses leave free. */ freedoms: number, 
+/** The pairs of dyads, in numerical order. */ pairs: Array<DyadPairSummary>, 
+/** Numbers of the pairs, from 1, the best first. */ ranking: Array<number>, 
+/** Number of the shown pair, from 1; null if there is none. */ number: number | null, 
+/** The reasons why the shown pair is no linkage; empty if it is one. */ reasons: readonly Problem[], 
+/** The shown linkage, for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument } | null, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
 export type TickLayout = { value: number, at: number, };
 export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 

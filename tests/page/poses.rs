@@ -20,8 +20,10 @@ async fn open(name: &str) -> Page {
 /// Waits until what is of poses is there.
 async fn there(page: &Page) {
     let said = "return document.getElementById('pairs-said')?.textContent ?? ''";
-    page.until("what is of poses", async || page.ask(said).await != json!(""))
-        .await;
+    page.until("what is of poses", async || {
+        page.ask(said).await != json!("")
+    })
+    .await;
     page.settle().await;
     assert_eq!(page.text("notice-text").await, "");
 }
@@ -65,13 +67,19 @@ async fn poses_are_dragged_and_turned() {
         )
         .await;
         let after = fields(&page).await;
-        let changed = before.iter().zip(&after).filter(|(one, other)| one != other);
+        let changed = before
+            .iter()
+            .zip(&after)
+            .filter(|(one, other)| one != other);
         let changed: Vec<&str> = changed.map(|(one, _)| one.0.as_str()).collect();
         if !changed.is_empty() {
             let n = changed[0].rsplit_once('-').unwrap().1;
             let place = [format!("field-pose-x-{n}"), format!("field-pose-y-{n}")];
             let turn = format!("field-pose-angle-{n}");
-            assert!(changed == [turn] || changed.iter().all(|one| place.iter().any(|id| id == one)), "{changed:?}");
+            assert!(
+                changed == [turn] || changed.iter().all(|one| place.iter().any(|id| id == one)),
+                "{changed:?}"
+            );
             moved.extend(changed.into_iter().map(str::to_owned));
             page.click("undo").await;
             assert_eq!(fields(&page).await, before);
@@ -91,19 +99,32 @@ async fn poses_are_typed_added_and_removed() {
     assert_eq!(page.text("problem").await, "");
     assert!(page.picture("mechanism").await.difference(&before) > 300);
     page.write("field-pose-x-1", "what").await;
-    assert_eq!(page.attribute("field-pose-x-1", "aria-invalid").await.as_deref(), Some("true"));
+    assert_eq!(
+        page.attribute("field-pose-x-1", "aria-invalid")
+            .await
+            .as_deref(),
+        Some("true")
+    );
     page.write("field-pose-x-1", "0").await;
     for count in [4, 5] {
         page.click("poses-add").await;
         assert_eq!(page.count("#poses .card:not([hidden])").await, count);
         assert_eq!(page.text("problem").await, "");
     }
-    assert_eq!(page.ask("return document.getElementById('poses-add').disabled").await, json!(true));
+    assert_eq!(
+        page.ask("return document.getElementById('poses-add').disabled")
+            .await,
+        json!(true)
+    );
     for count in [4, 3, 2] {
         page.click(&format!("poses-remove-{}", count + 1)).await;
         assert_eq!(page.count("#poses .card:not([hidden])").await, count);
     }
-    assert_eq!(page.count("#poses button[id^=poses-remove]:not([hidden])").await, 0);
+    assert_eq!(
+        page.count("#poses button[id^=poses-remove]:not([hidden])")
+            .await,
+        0
+    );
     page.close().await;
 }
 
@@ -115,10 +136,17 @@ async fn a_linkage_of_five_poses_is_chosen_and_opened() {
         panic!("not there");
     };
     let found = document.guidance().unwrap();
-    let expected = found.order.iter().map(|number| format!("pair-{}", number + 1));
+    let expected = found
+        .order
+        .iter()
+        .map(|number| format!("pair-{}", number + 1));
     let expected: Vec<String> = expected.collect();
     assert_eq!(listed(&page).await, expected);
-    assert!(page.text("pairs-said").await.contains(&format!("{} of 4 pairs", found.solutions.dyads.len())));
+    assert!(
+        page.text("pairs-said")
+            .await
+            .contains(&format!("{} of 4 pairs", found.solutions.dyads.len()))
+    );
     // The best meets all poses: each has its button.
     assert_eq!(page.count("#pairs-go button:not(:disabled)").await, 5);
     let before = page.picture("mechanism").await;
@@ -136,13 +164,18 @@ async fn a_linkage_of_five_poses_is_chosen_and_opened() {
     page.settle().await;
     let sound = listed(&page).await;
     assert!(!sound.is_empty() && sound.len() <= expected.len());
-    let kind = async || page.ask("return document.documentElement.dataset.kind").await;
+    let kind = async || {
+        page.ask("return document.documentElement.dataset.kind")
+            .await
+    };
     page.click("pairs-send").await;
-    page.until("the linkage", async || kind().await == json!("linkage")).await;
+    page.until("the linkage", async || kind().await == json!("linkage"))
+        .await;
     page.settle().await;
     assert_eq!(page.text("problem").await, "");
     page.click("undo").await;
-    page.until("the poses", async || kind().await == json!("poses")).await;
+    page.until("the poses", async || kind().await == json!("poses"))
+        .await;
     page.close().await;
 }
 
@@ -153,7 +186,8 @@ async fn poses_without_a_linkage_stay() {
     for (n, [x, y]) in [["0", "0"], ["1", "0"], ["2", "0"]].iter().enumerate() {
         page.write(&format!("field-pose-x-{}", n + 1), x).await;
         page.write(&format!("field-pose-y-{}", n + 1), y).await;
-        page.write(&format!("field-pose-angle-{}", n + 1), "30").await;
+        page.write(&format!("field-pose-angle-{}", n + 1), "30")
+            .await;
     }
     let said = page.text("pairs-said").await;
     assert!(said.contains("parallel and in line"), "{said}");
@@ -178,7 +212,10 @@ async fn poses_are_named_and_fit() {
         assert_eq!(defects(&page, 44).await, json!([]), "{lang}");
         let script = "return [...document.querySelectorAll('[data-of=poses]')].map((one) => one.innerText).join(' ')";
         let text = page.ask(script).await.as_str().unwrap().to_owned();
-        assert!(text.len() > 200 && !text.contains("poses."), "{lang}: {text}");
+        assert!(
+            text.len() > 200 && !text.contains("poses."),
+            "{lang}: {text}"
+        );
     }
     page.close().await;
 }

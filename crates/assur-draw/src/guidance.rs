@@ -71,7 +71,11 @@ impl Guidance {
             }
         }
         for ((_, at, role, is_chosen), name) in self.points.iter().zip(letters) {
-            let look = if *is_chosen { Look::Solid } else { Look::Hollow };
+            let look = if *is_chosen {
+                Look::Solid
+            } else {
+                Look::Hollow
+            };
             list.circle(*role, look, *at, unit);
             list.name(*role, *name, *at, [1.0, 1.0]);
         }

@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::reader::from_json;
 use crate::text::json;
 use crate::{
-    Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem,
-    SchemeDocument, State,
+    Document, GearTrainDocument, LinkageDocument, MixerDocument, Problem, SchemeDocument, State,
 };
 
 /// The mixers of the source paper's figure, by name. The engine provides their dimensions.

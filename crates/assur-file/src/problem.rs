@@ -8,8 +8,7 @@ use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
 use crate::{
-    GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, PosesProblem,
-    SynthesisProblem,
+    GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, PosesProblem, SynthesisProblem,
 };
 
 /// The path of a field in the saved form, such as `l1` or `wheels[2].z`.

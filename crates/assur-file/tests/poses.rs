@@ -106,12 +106,18 @@ fn faults_name_their_fields() {
     ] {
         let found = refused(document);
         assert_eq!(found.len(), 1, "{found:?}");
-        assert_eq!((&found[0]["field"], &found[0]["code"]), (&json!(field), &json!(code)));
+        assert_eq!(
+            (&found[0]["field"], &found[0]["code"]),
+            (&json!(field), &json!(code))
+        );
     }
     let mut document = read(three(&json!({})));
     document.poses[1].angle_deg = f64::NAN;
     let problems = serde_json::to_value(document.guidance().unwrap_err()).unwrap();
-    assert_eq!(problems, json!([{"code": "not_a_number", "field": "poses[1].angle_deg"}]));
+    assert_eq!(
+        problems,
+        json!([{"code": "not_a_number", "field": "poses[1].angle_deg"}])
+    );
 }
 
 /// Parallel poses on no line and no circle: there is a task, but no linkage.

@@ -15,7 +15,7 @@ use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
-use crate::kinds::poses::summary::{PairSummary, PosesSummary, TaskSummary};
+use crate::kinds::poses::summary::{DyadPairSummary, GuidanceVerdict, PosesSummary, TaskSummary};
 use crate::kinds::scheme::summary::SchemeSummary;
 use crate::kinds::synthesis::options::{FamilySummary, FoundSummary};
 use crate::kinds::synthesis::plane::PlaneSummary;
@@ -75,7 +75,8 @@ fn the_scripts_know_what_crosses_the_border() {
         WantedSummary,
         PrintedSummary,
         TaskSummary<'static>,
-        PairSummary,
+        DyadPairSummary,
+        GuidanceVerdict,
     );
     type Here = (
         AssembliesHere,

@@ -7,7 +7,7 @@ import { edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/poses/task.js").Snapshot} Snapshot
- * @typedef {import("assur/types/file.js").Frozen<import("assur/types/file.js").HingeDocument>} Hinge
+ * @typedef {import("assur/types/file.js").HingeDocument} Hinge
  */
 
 const AXES = Object.freeze(["x", "y"]);
@@ -66,8 +66,8 @@ export class HingesView {
    * @param {number} value
    */
   #put(k, i, value) {
-    const { hinges } = this.#snapshot?.summary ?? { hinges: [] };
-    if (!hinges[k]) return;
+    const hinges = this.#snapshot?.summary.hinges;
+    if (!hinges?.[k]) return;
     const { on, at } = read(hinges[k]);
     this.#write(hinges.with(k, hinge(on, i === 0 ? [value, at[1]] : [at[0], value])));
   }

@@ -64,8 +64,8 @@ export class PairsView {
   }
 
   /** @param {Snapshot} snapshot */
-  #listed({ summary: { order, pairs } }) {
-    return order.filter((number) => FILTERS[this.#filter.value](pairs[number - 1]));
+  #listed({ summary: { ranking, pairs } }) {
+    return ranking.filter((number) => FILTERS[this.#filter.value](pairs[number - 1]));
   }
 
   /**

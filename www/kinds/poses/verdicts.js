@@ -3,7 +3,7 @@ import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 
 /**
- * @typedef {import("assur/types/web.js").PairSummary} Pair
+ * @typedef {import("assur/types/web.js").DyadPairSummary} Pair
  * @typedef {NonNullable<Pair["verdict"]>} Verdict
  * @typedef {import("assur/kinds/poses/task.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words

@@ -29,12 +29,12 @@ const THREE = [[0, 0, 0], [1.4, 1.6, 40], [1.5, 3.4, 90]];
 test("five poses of a crank-rocker: all its pairs are listed, the best meets every pose", () => {
   const state = stateOf(engine, "poses-five");
   const summary = engine.set(state);
-  const { dyads, pairs, order, number, met, complete, moves } = summary;
+  const { dyads, pairs, ranking, number, met, complete, moves } = summary;
   assert.equal(moves, "angle");
   assert.equal(complete, true);
   assert.ok(dyads.length === 2 || dyads.length === 4, String(dyads.length));
   assert.equal(pairs.length, (dyads.length * (dyads.length - 1)) / 2);
-  assert.equal(number, order[0]);
+  assert.equal(number, ranking[0]);
   assert.equal(met.length, 5);
   assert.ok(met.every((input) => input !== null), String(met));
   const shown = pairs[number - 1];
@@ -115,7 +115,7 @@ test("five poses without two real pairs are drawn alone", () => {
 test("the file has a line for each pair, a new pose goes on from the last", () => {
   const state = stateOf(engine, "poses-five");
   const summary = engine.set(state);
-  const lines = csvOf(summary, summary.order).trim().split("\n");
+  const lines = csvOf(summary, summary.ranking).trim().split("\n");
   assert.equal(lines.length, 1 + summary.pairs.length);
   assert.ok(lines.every((line) => line.split(",").length === lines[0].split(",").length), lines.join("\n"));
   assert.deepEqual(another({ state: asked(THREE).state }), { x: 1.6, y: 5.2, angle_deg: 140 });

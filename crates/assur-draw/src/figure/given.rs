@@ -33,7 +33,9 @@ impl Given {
     pub(super) fn reach(&self) -> impl Iterator<Item = Point> + '_ {
         let lines = |one: &GivenPosition| [&one.directions[..], &one.links[..]].concat();
         let lines = self.positions.iter().flat_map(move |(one, _)| lines(one));
-        lines.flat_map(|(ends, _)| ends).chain(self.guidance.reach())
+        lines
+            .flat_map(|(ends, _)| ends)
+            .chain(self.guidance.reach())
     }
 
     /// Draws each position: links as lines, directions as dashed lines with handles, and its number beyond each handle.

@@ -118,7 +118,11 @@ fn handles<'a>(
         ]
     });
     let hinges = hinges.places().map(|(is_on_frame, k, at)| {
-        let held = if is_on_frame { Held::Frame(k) } else { Held::Body(k) };
+        let held = if is_on_frame {
+            Held::Frame(k)
+        } else {
+            Held::Body(k)
+        };
         (held, hinges::ROLES[k], at)
     });
     poses.chain(hinges)
@@ -229,7 +233,9 @@ impl Edited for Poses {
             Held::Frame(k) | Held::Body(k) => {
                 let is_on_frame = matches!(held, Held::Frame(_));
                 let hinges = self.hinges.moved(&self.found, is_on_frame, k, to);
-                return Ok(Change::document(&json!({ "hinges": hinges, "solution": null })));
+                return Ok(Change::document(
+                    &json!({ "hinges": hinges, "solution": null }),
+                ));
             }
         }
         Ok(Change::document(&json!({ "poses": poses })))

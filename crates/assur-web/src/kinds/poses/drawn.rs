@@ -109,7 +109,8 @@ fn bisectors(found: &Guidance, to: &mut Drawing) {
                 Place::Infinite(_) => 0.0,
             };
             let reach: Vector = along * (REACH * (ends[1] - ends[0]).norm().max(reach));
-            to.curves.push((vec![foot - reach, foot + reach], role, true));
+            to.curves
+                .push((vec![foot - reach, foot + reach], role, true));
         }
     }
     if let Some(Place::Finite(pole)) = found.task.pole(*first, *second) {
@@ -132,24 +133,29 @@ fn poles(found: &Guidance, to: &mut Drawing) {
         to.curves.push((vec![a, b, c, a], Role::Secondary, true));
     }
     let poles = poles.into_iter().flatten();
-    to.points.extend(poles.map(|(name, at)| (name, at, Role::Secondary, false)));
+    to.points
+        .extend(poles.map(|(name, at)| (name, at, Role::Secondary, false)));
 }
 
 /// The centre points of five poses, and the circle points in the first pose.
 fn points(found: &Guidance, to: &mut Drawing) {
     for (k, dyad) in found.solutions.dyads.iter().enumerate() {
-        let shown = found.shown().and_then(|pair| pair.dyads.iter().position(|one| one == dyad));
+        let shown = found
+            .shown()
+            .and_then(|pair| pair.dyads.iter().position(|one| one == dyad));
         let role = shown.map_or(Role::Secondary, |k| ROLES[k]);
-        let places = [('C', dyad.centre()), ('W', dyad.point())].map(|(letter, place)| match place {
-            Place::Finite(at) => Some((symbol(letter, &[k + 1]), at)),
-            Place::Infinite(_) => None,
-        });
+        let places =
+            [('C', dyad.centre()), ('W', dyad.point())].map(|(letter, place)| match place {
+                Place::Finite(at) => Some((symbol(letter, &[k + 1]), at)),
+                Place::Infinite(_) => None,
+            });
         if let [Some((_, centre)), Some((_, point))] = &places
             && shown.is_some()
         {
             to.curves.push((vec![*centre, *point], role, true));
         }
         let places = places.into_iter().flatten();
-        to.points.extend(places.map(|(name, at)| (name, at, role, shown.is_some())));
+        to.points
+            .extend(places.map(|(name, at)| (name, at, role, shown.is_some())));
     }
 }

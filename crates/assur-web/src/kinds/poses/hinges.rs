@@ -87,7 +87,10 @@ impl Hinges {
     ) -> Vec<HingeDocument> {
         let mut hinges = self.wanted();
         let to = if is_on_frame { to } else { found.first(to) };
-        let curve = self.curves.as_ref().map(|both| &both[usize::from(!is_on_frame)]);
+        let curve = self
+            .curves
+            .as_ref()
+            .map(|both| &both[usize::from(!is_on_frame)]);
         let at = curve.map_or(Some(to), |curve| Some(curve.nearest(to)?.at));
         if let (Some(at), Some(hinge)) = (at, hinges.get_mut(dyad)) {
             *hinge = hinge_at(found, is_on_frame, at);
@@ -110,7 +113,11 @@ impl Hinges {
         let (place, is_centre) = Some(nearest).filter(|(place, _)| off(*place) <= within)?;
         let mut hinges = self.wanted();
         let of = |(dyad, _): &(Dyad, HingeDocument)| {
-            let here = if is_centre { dyad.centre() } else { dyad.point() };
+            let here = if is_centre {
+                dyad.centre()
+            } else {
+                dyad.point()
+            };
             match here {
                 Place::Finite(here) => (here - place).norm(),
                 Place::Infinite(_) => f64::INFINITY,
@@ -137,14 +144,21 @@ fn hinge_at(found: &Guidance, is_on_frame: bool, at: Point) -> HingeDocument {
 
 /// Corners of the rectangle in which the curves are drawn, around the poses and the shown hinges.
 fn corners(found: &Guidance, dyads: &[Dyad]) -> [Point; 2] {
-    let poses = found.task.poses().iter().map(assur::synthesis::poses::Pose::place);
+    let poses = found
+        .task
+        .poses()
+        .iter()
+        .map(assur::synthesis::poses::Pose::place);
     let places = dyads.iter().flat_map(|dyad| [dyad.centre(), dyad.point()]);
     let hinges = places.filter_map(|place| match place {
         Place::Finite(at) => Some(at),
         Place::Infinite(_) => None,
     });
     let around = |points: &mut dyn Iterator<Item = Point>| {
-        let mut corners = [Point::from([f64::INFINITY; 2]), Point::from([f64::NEG_INFINITY; 2])];
+        let mut corners = [
+            Point::from([f64::INFINITY; 2]),
+            Point::from([f64::NEG_INFINITY; 2]),
+        ];
         for at in points {
             corners[0] = corners[0].inf(&at);
             corners[1] = corners[1].sup(&at);

@@ -65,9 +65,9 @@ pub(crate) struct TaskSummary<'a> {
     /// Number of coordinates of a dyad that the poses leave free.
     freedoms: usize,
     /// The pairs of dyads, in numerical order.
-    pairs: Vec<PairSummary>,
+    pairs: Vec<DyadPairSummary>,
     /// Numbers of the pairs, from 1, the best first.
-    order: Vec<usize>,
+    ranking: Vec<usize>,
     /// Number of the shown pair, from 1; null if there is none.
     number: Option<usize>,
     /// The reasons why the shown pair is no linkage; empty if it is one.
@@ -113,7 +113,7 @@ pub(crate) struct GuideSummary {
 /// A pair of dyads with its verdict.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
-pub(crate) struct PairSummary {
+pub(crate) struct DyadPairSummary {
     /// Numbers of the dyads, from 1, the driving one first.
     dyads: [usize; 2],
     /// Whether the pair passes through all poses without a break, in order.
@@ -194,9 +194,9 @@ impl<'a> TaskSummary<'a> {
             complete: solutions.complete,
             freedoms: solutions.freedoms,
             pairs: (solutions.linkages.iter())
-                .map(|pair| PairSummary::new(pair, found))
+                .map(|pair| DyadPairSummary::new(pair, found))
                 .collect(),
-            order: found.order.iter().map(|number| number + 1).collect(),
+            ranking: found.order.iter().map(|number| number + 1).collect(),
             number: found.number.map(|number| number + 1),
             reasons: shown.err().map_or(&[], Vec::as_slice),
             linkage: shown.ok().map(|shown| &shown.linkage),
@@ -233,10 +233,15 @@ impl GuideSummary {
     }
 }
 
-impl PairSummary {
+impl DyadPairSummary {
     fn new(pair: &Linkage, found: &Guidance) -> Self {
         let dyads = &found.solutions.dyads;
-        let number = |dyad: &Dyad| dyads.iter().position(|one| one == dyad).map_or(0, |k| k + 1);
+        let number = |dyad: &Dyad| {
+            dyads
+                .iter()
+                .position(|one| one == dyad)
+                .map_or(0, |k| k + 1)
+        };
         let verdict = pair.verdict.as_ref().ok();
         Self {
             dyads: pair.dyads.each_ref().map(number),

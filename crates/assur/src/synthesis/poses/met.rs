@@ -65,7 +65,9 @@ impl Linkage {
         inputs.find(|input| {
             motion.pose::<1>(*input).is_ok_and(|here| {
                 let mut places = places.iter();
-                places.all(|(point, at)| (mechanism.place(&here, *point).place() - at).norm() <= within)
+                places.all(|(point, at)| {
+                    (mechanism.place(&here, *point).place() - at).norm() <= within
+                })
             })
         })
     }
@@ -74,7 +76,8 @@ impl Linkage {
 /// The input, or the end of an arc that it exceeds by rounding only.
 fn inside(arcs: &[[f64; 2]], input: f64) -> f64 {
     let ends = arcs.iter().flatten();
-    let near = |end: &&f64| (**end - input).abs() <= crate::tolerance::COINCIDENT * (1.0 + input.abs());
+    let near =
+        |end: &&f64| (**end - input).abs() <= crate::tolerance::COINCIDENT * (1.0 + input.abs());
     if arcs.iter().any(|[from, to]| (*from..=*to).contains(&input)) {
         return input;
     }
