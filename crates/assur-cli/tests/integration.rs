@@ -11,5 +11,6 @@ mod mobility;
 mod synth;
 mod synth_function;
 mod synth_poses;
+mod synth_through;
 mod terminal;
 mod trains;

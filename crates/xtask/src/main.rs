@@ -80,6 +80,9 @@ enum Task {
         #[arg(long, default_value_t = 777)]
         seed: u64,
     },
+    /// Makes the start data for four-bars through nine points anew, www/data/nine-points.bin, by monodromy: from one
+    /// four-bar to all 1,442 curves
+    NinePoints,
     /// Prints the speed of engine and page, relative to a yardstick measured in the same run
     ///
     /// Installs what is missing as `test` does. A slow result is not a failure.
@@ -127,6 +130,15 @@ fn perform(task: &Task) -> Result<ExitCode> {
             ..
         } => measured::compare(files)?,
         Task::Bench { minutes, save, .. } => bench::run(&workspace, *minutes, save.as_deref())?,
+        Task::NinePoints => {
+            let file = "www/data/nine-points.bin";
+            let example = ["-p", "assur", "--example", "nine_points"];
+            cmd!(
+                workspace.shell,
+                "cargo run --release {example...} -- {file}"
+            )
+            .run()?;
+        }
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             site::give_away(&workspace)?;

@@ -26,10 +26,16 @@ const ALL_SCALE: &str = "10";
 
 /// The tests of `soak`: a name, the part of the tests' paths that selects them, and the factor by which their random
 /// input is multiplied. Each test of a reader takes about a minute.
-const SOAKED: [(&str, &str, &str); 11] = [
+const SOAKED: [(&str, &str, &str); 13] = [
     ("rows of 200,000 drawings", "any_drawing::rows_are", "1100"),
     ("200,000 drawings redrawn", "any_drawing::a_motion", "200"),
     ("100,000 damaged files", "damaged::thousands", "25"),
+    (
+        "50 four-bars from nine points",
+        "nine_points::four_bars",
+        "50",
+    ),
+    ("100 sets of nine points", "nine_points::complex", "100"),
     ("states", "readers::damaged_states", "100"),
     ("documents", "readers::damaged_documents", "100"),
     ("short links of PMKS+", "readers::damaged_short", "100"),
@@ -155,7 +161,10 @@ fn without_page(workspace: &Workspace, all: bool, tally: &mut Tally) {
 pub(crate) fn soak(workspace: &Workspace, seed: u64) -> Result<ExitCode> {
     let mut tally = Tally::default();
     for (name, test, scale) in SOAKED {
-        let cargo = cmd!(workspace.shell, "cargo test --workspace --tests -- {test}");
+        let cargo = cmd!(
+            workspace.shell,
+            "cargo test --workspace --tests -- --include-ignored {test}"
+        );
         let cargo = cargo.env("ASSUR_SCALE", scale);
         tally.tests(name, Ok(cargo.env("ASSUR_SEED", seed.to_string())));
     }

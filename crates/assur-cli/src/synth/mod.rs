@@ -3,6 +3,7 @@
 mod described;
 mod function;
 mod poses;
+mod through;
 mod words;
 
 use std::io::Write;
@@ -20,6 +21,7 @@ use crate::words::number;
 use described::Report;
 use function::OnFunction;
 use poses::OnPoses;
+use through::OnPath;
 
 /// Maximum number of linkages shown from a family, and of minima shown from a search.
 const SHOWN: usize = 5;
@@ -29,12 +31,14 @@ const SHOWN: usize = 5;
 pub(crate) struct Asked {
     /// Corresponding angles of output link and driver, degrees from the x-axis; a weight may follow. The direction of
     /// the output link is from its hinge with the coupler to its fixed pivot.
-    #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present_any = ["function", "pose"], conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
+    #[arg(long = "position", value_name = "PHI2,PHI3[,WEIGHT]", required_unless_present_any = ["function", "pose", "through"], conflicts_with = "function", value_parser = degrees, allow_hyphen_values = true)]
     positions: Vec<Degrees>,
     #[command(flatten)]
     function: OnFunction,
     #[command(flatten)]
     on_poses: OnPoses,
+    #[command(flatten)]
+    on_path: OnPath,
     /// Length of the frame; sets the unit of all lengths.
     #[arg(
         value_parser = number,
@@ -144,6 +148,9 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
     };
     if asked.on_poses.is_given() {
         return poses::write(out, &asked.on_poses, asked.json);
+    }
+    if asked.on_path.is_given() {
+        return through::write(out, &asked.on_path, asked.json);
     }
     let wanted = asked.function.wanted()?;
     let (given, wanted) = match wanted {

@@ -3,6 +3,7 @@
 use assur::synthesis::four_bar::{
     Bound, Line, MemberError, Order, Passage, StartsError, Task, TaskError, ThreePositions,
 };
+use assur::synthesis::path::{PathError, StartError};
 use assur::synthesis::poses;
 use serde_json::{Value, json};
 
@@ -75,6 +76,42 @@ pub(super) fn special(special: &poses::Special) -> String {
             "the poses are parallel, but neither on a line nor on a circle: no dyad guides the body"
                 .to_owned()
         }
+    }
+}
+
+/// Describes why points of a path are no task in a sentence.
+pub(super) fn path_error(error: &PathError) -> String {
+    match *error {
+        PathError::Count(count) => format!(
+            "--through: nine points leave a finite number of four-bars, here {} {count}",
+            if count == 1 { "is" } else { "are" }
+        ),
+        PathError::Place(k) => format!("point {}: x and y must be from -1e9 to 1e9", k + 1),
+        PathError::Coincident(j, k) => format!(
+            "points {} and {} coincide: fewer than nine different points leave a family of four-bars",
+            j + 1,
+            k + 1
+        ),
+        PathError::Line => {
+            "all points are in line: no four-bar moves a point through them, a slide does"
+                .to_owned()
+        }
+        PathError::Circle { centre, radius } => format!(
+            "all points are on the circle of radius {} about ({}, {}): a crank moves its end through them, with any \
+             coupler and rocker",
+            short(radius),
+            short(centre.x),
+            short(centre.y)
+        ),
+    }
+}
+
+/// Describes the fault of the start data of the search for nine points in a sentence.
+pub(super) fn start_error(error: StartError) -> String {
+    match error {
+        StartError::Form => "the start data for nine points are not whole".to_owned(),
+        StartError::Checksum => "the start data for nine points are damaged".to_owned(),
+        StartError::Curve(k) => format!("the start data for nine points have no curve {}", k + 1),
     }
 }
 

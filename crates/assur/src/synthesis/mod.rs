@@ -4,4 +4,5 @@ pub mod approximation;
 pub mod cognates;
 pub mod dwell;
 pub mod four_bar;
+pub mod path;
 pub mod poses;

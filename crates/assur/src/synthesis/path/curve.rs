@@ -1,0 +1,108 @@
+//! Cognates: the three four-bars of one coupler curve, in isotropic coordinates.
+
+use std::collections::HashMap;
+
+use super::C;
+use super::alt::Dyads;
+use super::disc::Disc;
+use super::wide::Wide;
+
+/// The cognate with the pivots of the first dyad and the third focus (Roberts, Chebyshev). The first hinge goes to
+/// a − x, the other corner of the parallelogram of crank and coupler side.
+pub(super) fn cognate(at: &Dyads) -> Dyads {
+    let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
+    let half = |x: C, a: C, y: C, b: C| {
+        let part = (x - y).inv();
+        [a - x, a, y * (x - a) * part, (b * x - a * y) * part]
+    };
+    let ([p, q, r, s], [t, u, v, w]) = (half(x, a, y, b), half(x_bar, a_bar, y_bar, b_bar));
+    [p, q, r, s, t, u, v, w]
+}
+
+/// The same linkage with its dyads exchanged.
+pub(super) fn exchanged(at: &Dyads) -> Dyads {
+    let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
+    [y, b, x, a, y_bar, b_bar, x_bar, a_bar]
+}
+
+/// The third focus and its conjugate.
+pub(super) fn third(at: &Dyads) -> [C; 2] {
+    let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
+    [
+        (b * x - a * y) / (x - y),
+        (b_bar * x_bar - a_bar * y_bar) / (x_bar - y_bar),
+    ]
+}
+
+/// The sum of the three foci and that of their conjugates. Cognates share their foci.
+pub(super) fn invariants(at: &Dyads) -> [C; 2] {
+    let [_, a, _, b, _, a_bar, _, b_bar] = *at;
+    let [c, c_bar] = third(at);
+    [a + b + c, a_bar + b_bar + c_bar]
+}
+
+/// True if the invariants of the solutions within discs are known so well that curves in cells apart differ: shrinking
+/// moves two numbers apart by at most its factor times their distance, doubled here for the change of the factor.
+pub(super) fn is_told_apart(at: &Dyads<Wide>) -> bool {
+    let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
+    let sum = |x: Wide, a: Wide, y: Wide, b: Wide| {
+        let third = (b * x - a * y).disc() * (x - y).disc().reciprocal()?;
+        Some((a + b).disc() + third)
+    };
+    let sums = [sum(x, a, y, b), sum(x_bar, a_bar, y_bar, b_bar)];
+    let told = |sum: &Disc| 2.0 * sum.radius * shrinkage(sum.centre) < 0.25 * CELL;
+    sums.iter().all(|sum| sum.as_ref().is_some_and(told))
+}
+
+/// Factor by which a number is brought nearer for the look-up, so that far foci are told apart by their ratio.
+fn shrinkage(sum: C) -> f64 {
+    let size = sum.norm();
+    if size > 1.0 {
+        (1.0 + size.ln()) / size
+    } else {
+        1.0
+    }
+}
+
+/// The four-bar of a curve, of its three cognates with their dyads in both orders, whose coordinates are smallest.
+pub(super) fn smallest(at: &Dyads) -> Dyads {
+    let mut best = *at;
+    let size = |at: &Dyads| at.iter().map(C::norm_sqr).sum::<f64>();
+    let next = cognate(at);
+    for four_bar in [*at, next, cognate(&exchanged(at))] {
+        for four_bar in [four_bar, exchanged(&four_bar)] {
+            if size(&four_bar) < size(&best) {
+                best = four_bar;
+            }
+        }
+    }
+    best
+}
+
+/// Side of the cells in which curves are looked up, in units of the normalised displacements.
+pub(super) const CELL: f64 = 1e-6;
+
+/// Curves known so far, looked up by their invariants.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Distinct {
+    cells: HashMap<[i64; 4], usize>,
+}
+
+impl Distinct {
+    /// Adds a curve with its number; the number of the same curve if it is there already.
+    pub(super) fn add(&mut self, at: &Dyads, number: usize) -> Option<usize> {
+        let [sum, bar_sum] = invariants(at).map(|sum| sum * shrinkage(sum));
+        let parts = [sum.re, sum.im, bar_sum.re, bar_sum.im];
+        let cell = parts.map(|part| (part / CELL).floor() as i64);
+        // The same curve may be in a neighbouring cell.
+        let near = (0..81).find_map(|k: i64| {
+            let offset = [k % 3 - 1, k / 3 % 3 - 1, k / 9 % 3 - 1, k / 27 - 1];
+            let neighbour = [0, 1, 2, 3].map(|i| cell[i].saturating_add(offset[i]));
+            self.cells.get(&neighbour).copied()
+        });
+        if near.is_none() {
+            self.cells.insert(cell, number);
+        }
+        near
+    }
+}

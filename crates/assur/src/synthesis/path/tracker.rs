@@ -1,0 +1,199 @@
+//! One path of a parameter homotopy: predictor by Padé approximants, corrector by Newton's method, adaptive steps.
+
+use super::alt::{Displacements, Dyads, evaluate};
+use super::matrix::{Factors, Row};
+use super::series::{ORDER, Power, taylor};
+use super::{ONE, ZERO};
+
+/// Accuracy with which a path is followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Care {
+    /// Wanted error of the prediction, relative to the size of the dyads.
+    pub(super) prediction: f64,
+    /// Greatest first correction of a step that is accepted.
+    pub(super) correction: f64,
+    /// Greatest number of steps.
+    pub(super) steps: usize,
+}
+
+/// Enough for nearly all paths.
+pub(super) const USUAL: Care = Care {
+    prediction: 1e-4,
+    correction: 1e-3,
+    steps: 1_500,
+};
+
+/// For paths that were lost, or that ended where another did.
+pub(super) const CAREFUL: Care = Care {
+    prediction: 1e-7,
+    correction: 1e-5,
+    steps: 4_000,
+};
+
+/// A last correction smaller than this leaves an error of its square.
+const CORRECTED: f64 = 1e-8;
+/// A path lost nearer than this to the end of its way has its end there.
+const AT_THE_END: f64 = 1e-4;
+/// A step shorter than this makes no progress in double precision.
+const SHORTEST: f64 = 1e-12;
+
+/// Straight way between two sets of displacements.
+pub(super) struct Way {
+    from: Displacements,
+    rates: Displacements,
+}
+
+impl Way {
+    pub(super) fn new(from: Displacements, to: &Displacements) -> Self {
+        let minus = |to: &Row, from: &Row| std::array::from_fn(|j| to[j] - from[j]);
+        Self {
+            rates: Displacements {
+                forward: minus(&to.forward, &from.forward),
+                backward: minus(&to.backward, &from.backward),
+            },
+            from,
+        }
+    }
+
+    fn at(&self, t: f64) -> Displacements {
+        let plus = |from: &Row, rate: &Row| std::array::from_fn(|j| from[j] + rate[j] * t);
+        Displacements {
+            forward: plus(&self.from.forward, &self.rates.forward),
+            backward: plus(&self.from.backward, &self.rates.backward),
+        }
+    }
+}
+
+/// Greatest entry of a vector in the metric of the sphere of complex numbers: near infinity, 1/z counts. The
+/// displacements have the size 1.
+fn relative(vector: &Row, at: &Dyads) -> f64 {
+    let each = vector.iter().zip(at).map(|(change, z)| {
+        let square = z.norm_sqr().max(1.0);
+        change.norm_sqr() / (square * square)
+    });
+    each.fold(0.0, f64::max).sqrt()
+}
+
+/// Prediction at a step `h` by the Padé approximant of degrees 3 and 1, in each coordinate by itself.
+fn predict(path: &[Power; 8], h: f64) -> Dyads {
+    path.map(|[c0, c1, c2, c3, c4]| {
+        let (last, next) = (c3.norm_sqr(), (c4 * h).norm_sqr());
+        // Near or beyond its pole the approximant is worse than the polynomial.
+        let tail = if next < 0.5 * last {
+            c3 / (ONE - c4 * h / c3)
+        } else {
+            c3 + c4 * h
+        };
+        c0 + (c1 + (c2 + tail * h) * h) * h
+    })
+}
+
+/// Newton's method from a prediction; the factors are those of the last Jacobian. None if it does not converge quickly.
+fn correct(at: &mut Dyads, here: &Displacements, greatest: f64) -> Option<Factors> {
+    let mut bound = greatest;
+    for _ in 0..4 {
+        let mut jacobian = [[ZERO; 8]; 8];
+        let residuals = evaluate(at, here, &mut jacobian);
+        let factors = Factors::new(jacobian)?;
+        let step = factors.solve(&residuals);
+        let size = relative(&step, at);
+        if !(size <= bound) {
+            return None;
+        }
+        for (z, step) in at.iter_mut().zip(step) {
+            *z -= step;
+        }
+        if size <= CORRECTED {
+            return Some(factors);
+        }
+        bound = 0.1 * size;
+    }
+    None
+}
+
+/// A solution made as exact as double precision allows; None if Newton's method does not converge from it.
+pub(super) fn polished(mut at: Dyads, here: &Displacements) -> Option<Dyads> {
+    let mut last = 1e-2;
+    for _ in 0..8 {
+        let mut jacobian = [[ZERO; 8]; 8];
+        let residuals = evaluate(&at, here, &mut jacobian);
+        let step = Factors::new(jacobian)?.solve(&residuals);
+        let size = relative(&step, &at);
+        if !(size <= last) {
+            return (last < CORRECTED).then_some(at);
+        }
+        for (z, step) in at.iter_mut().zip(step) {
+            *z -= step;
+        }
+        if size < 1e-16 {
+            return Some(at);
+        }
+        last = 0.5 * size;
+    }
+    (last < CORRECTED).then_some(at)
+}
+
+/// How a path ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Ending {
+    /// At a solution.
+    Solution(Dyads),
+    /// At the end of the way or just before it, where the solution is singular or at infinity.
+    Singular,
+    /// Before the end of the way.
+    Lost,
+}
+
+/// Follows the path that begins in a solution.
+pub(super) fn track(start: &Dyads, way: &Way, care: Care) -> Ending {
+    let mut at = *start;
+    let mut t = 0.0;
+    let Some(mut factors) = correct(&mut at, &way.from, care.correction) else {
+        return Ending::Lost;
+    };
+    let lost = |t: f64| {
+        if t > 1.0 - AT_THE_END {
+            Ending::Singular
+        } else {
+            Ending::Lost
+        }
+    };
+    let mut boldness: f64 = 1.0;
+    let mut step = None;
+    for _ in 0..care.steps {
+        let (path, h) = match step.take() {
+            Some(rejected) => rejected,
+            None => {
+                let path = taylor(&at, &way.at(t), &way.rates, &factors);
+                (path, boldness * step_length(&path, &at, care.prediction))
+            }
+        };
+        let next = if t + h >= 1.0 { 1.0 } else { t + h };
+        let mut guess = predict(&path, next - t);
+        if let Some(found) = correct(&mut guess, &way.at(next), care.correction) {
+            (at, t, factors) = (guess, next, found);
+            boldness = (1.1 * boldness).min(1.5);
+        } else {
+            boldness = (0.7 * boldness).max(0.1);
+            let shorter = 0.5 * (next - t);
+            if shorter < SHORTEST {
+                return lost(t);
+            }
+            step = Some((path, shorter));
+        }
+        if t >= 1.0 {
+            return polished(at, &way.at(1.0)).map_or(Ending::Singular, Ending::Solution);
+        }
+    }
+    lost(t)
+}
+
+/// Length of a step with the wanted error of the prediction, from the last two coefficients of the path.
+fn step_length(path: &[Power; 8], at: &Dyads, error: f64) -> f64 {
+    let size = |k: usize| relative(&path.map(|power| power[k]), at).max(f64::MIN_POSITIVE);
+    let [third, fourth] = [size(ORDER - 1), size(ORDER)];
+    let radius = third / fourth;
+    // The next coefficient is taken to be smaller by the same ratio.
+    let h = (error / fourth * radius).powf(0.2);
+    h.min(0.7 * radius).max(SHORTEST)
+}
