@@ -100,9 +100,18 @@ pub(super) fn path_error(error: &PathError) -> String {
             "all points are on the circle of radius {} about ({}, {}): a crank moves its end through them, with any \
              coupler and rocker",
             short(radius),
-            short(centre.x),
-            short(centre.y)
+            short(beside(centre.x, radius)),
+            short(beside(centre.y, radius))
         ),
+    }
+}
+
+/// A coordinate, or zero if beside a length it is only rounding.
+fn beside(coordinate: f64, length: f64) -> f64 {
+    if coordinate.abs() < 1e-9 * length {
+        0.0
+    } else {
+        coordinate
     }
 }
 
