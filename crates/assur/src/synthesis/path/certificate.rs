@@ -101,7 +101,7 @@ pub(super) fn certified(
         } else {
             1e-4
         };
-        if !(alone > NARROWEST.max(shift)) {
+        if alone.is_nan() || alone <= NARROWEST.max(shift) {
             return None;
         }
     }
@@ -189,5 +189,43 @@ fn is_real(at: &Dyads, scales: &[f64; 8], error: f64, alone: f64) -> Option<bool
         Some(false)
     } else {
         all_same.then_some(true)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::path::monodromy::{Random, first};
+
+    fn wide(displacements: &Displacements) -> Displacements<Wide> {
+        displacements.map(|z| Wide::new(z, 0.0))
+    }
+
+    /// The dyads from which the points were made are a solution. From a guess 10⁻⁷ away the same one is proved.
+    #[test]
+    fn a_known_solution_is_proved() {
+        for seed in 0..20 {
+            let (at, displacements) = first(&mut Random(seed));
+            let guess = at.map(|z| z * (1.0 + 1e-7));
+            let (found, proof) = certified(&guess, &wide(&displacements)).unwrap();
+            assert!(proof.error < 1e-15 && proof.alone > 1e-10, "{proof:?}");
+            assert_eq!(proof.real, Some(false));
+            for (found, at) in found.iter().zip(at) {
+                assert!((found - at).norm() < 1e-9, "{seed}");
+            }
+        }
+    }
+
+    /// Dyads far from a solution, and equal dyads, with which every equation holds.
+    #[test]
+    fn what_is_no_solution_is_not_proved() {
+        let (at, displacements) = first(&mut Random(7));
+        let displacements = wide(&displacements);
+        let mut off = at;
+        off[3] += C::new(0.5, 0.0);
+        assert_eq!(certified(&off, &displacements), None);
+        let [x, a, _, _, x_bar, a_bar, _, _] = at;
+        let equal = [x, a, x, a, x_bar, a_bar, x_bar, a_bar];
+        assert_eq!(certified(&equal, &displacements), None);
     }
 }

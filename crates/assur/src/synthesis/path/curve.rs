@@ -106,3 +106,54 @@ impl Distinct {
         near
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::path::alt::residuals;
+    use crate::synthesis::path::monodromy::{Random, first};
+
+    /// Cognates solve the same equations, have the same invariants, and the third cognate of a cognate is the first.
+    #[test]
+    fn cognates_have_the_same_points_and_foci() {
+        for seed in 0..20 {
+            let (at, displacements) = first(&mut Random(seed));
+            let second = cognate(&at);
+            let third = cognate(&exchanged(&at));
+            for other in [second, third, exchanged(&second)] {
+                let terms = other.iter().map(|z| z.norm()).fold(1.0, f64::max).powi(7);
+                let all = residuals(&other, &displacements);
+                assert!(all.iter().all(|f| f.norm() < 1e-10 * terms), "{seed}");
+                for (one, next) in invariants(&at).iter().zip(invariants(&other)) {
+                    assert!((one - next).norm() < 1e-10 * (1.0 + one.norm()), "{seed}");
+                }
+            }
+            let again = cognate(&second);
+            let off = again
+                .iter()
+                .zip(at)
+                .map(|(p, q)| (p - q).norm() / (1.0 + q.norm()));
+            assert!(off.fold(0.0, f64::max) < 1e-9, "{seed}");
+        }
+    }
+
+    /// A curve is known again by each of its cognates and by a solution 10⁻¹⁰ away; another curve is not.
+    #[test]
+    fn a_curve_is_known_by_any_of_its_four_bars() {
+        let mut distinct = Distinct::default();
+        let curves = [1, 2, 3].map(|seed| first(&mut Random(seed)).0);
+        for (number, at) in curves.iter().enumerate() {
+            assert_eq!(distinct.add(at, number), None);
+        }
+        for (number, at) in curves.iter().enumerate() {
+            for four_bar in [
+                exchanged(at),
+                cognate(at),
+                smallest(at),
+                at.map(|z| z * (1.0 + 1e-10)),
+            ] {
+                assert_eq!(distinct.add(&four_bar, 9), Some(number));
+            }
+        }
+    }
+}

@@ -71,3 +71,33 @@ impl Factors {
         x
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::path::ONE;
+
+    /// Row k has 2 on the diagonal and i beside it, to the left and around; all rows are then turned by three, so that
+    /// rows must be exchanged. The solution is 1, 2, …, 8.
+    #[test]
+    fn exchanged_rows() {
+        let mut rows = [[ZERO; 8]; 8];
+        let mut rhs = [ZERO; 8];
+        for k in 0..8 {
+            rows[(k + 3) % 8][k] = ONE * 2.0;
+            rows[(k + 3) % 8][(k + 7) % 8] += C::new(0.0, 1.0);
+            rhs[(k + 3) % 8] = C::new(2.0 * (k + 1) as f64, ((k + 7) % 8 + 1) as f64);
+        }
+        let found = Factors::new(rows).unwrap().solve(&rhs);
+        for (k, x) in found.iter().enumerate() {
+            assert!((x - ONE * (k + 1) as f64).norm() < 1e-14, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn singular_matrices_have_no_factors() {
+        assert!(Factors::new([[ZERO; 8]; 8]).is_none());
+        assert!(Factors::new([[ONE; 8]; 8]).is_none());
+        assert!(Factors::new([[C::new(f64::NAN, 0.0); 8]; 8]).is_none());
+    }
+}

@@ -46,7 +46,7 @@ impl Random {
 }
 
 /// Random dyads, and nine points on their curve.
-fn first(random: &mut Random) -> (Dyads, Displacements) {
+pub(super) fn first(random: &mut Random) -> (Dyads, Displacements) {
     let at = [(); 8].map(|()| random.complex());
     let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = at;
     let mut displacements = Displacements {

@@ -154,3 +154,37 @@ pub(super) fn taylor(
     }
     path
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::path::alt::evaluate;
+    use crate::synthesis::path::monodromy::{Random, first};
+
+    /// With terms to the fourth power the residual is of the fifth order: a tenth of the step leaves 10⁻⁵ of it.
+    #[test]
+    fn the_residual_of_the_polynomial_is_of_the_fifth_order() {
+        let mut random = Random(5);
+        let (at, here) = first(&mut random);
+        let rates = random.displacements();
+        let mut jacobian = [[ZERO; 8]; 8];
+        evaluate(&at, &here, &mut jacobian);
+        let path = taylor(&at, &here, &rates, &Factors::new(jacobian).unwrap());
+        let residual = |h: f64| {
+            let at = path.map(|c| c[0] + (c[1] + (c[2] + (c[3] + c[4] * h) * h) * h) * h);
+            let along =
+                |from: &[C; 8], rate: &[C; 8]| std::array::from_fn(|j| from[j] + rate[j] * h);
+            let there = Displacements {
+                forward: along(&here.forward, &rates.forward),
+                backward: along(&here.backward, &rates.backward),
+            };
+            let residuals = evaluate(&at, &there, &mut jacobian.clone());
+            residuals.iter().map(|f| f.norm()).fold(0.0, f64::max)
+        };
+        // Halving from steps far within the radius of convergence.
+        let scale = path.map(|c| (c[3].norm() / c[4].norm()).max(1e-9));
+        let h = 0.02 * scale.into_iter().fold(f64::INFINITY, f64::min);
+        let ratio = residual(h) / residual(0.5 * h);
+        assert!((ratio - 32.0).abs() < 3.0, "{ratio}");
+    }
+}

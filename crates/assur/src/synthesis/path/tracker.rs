@@ -97,7 +97,7 @@ fn correct(at: &mut Dyads, here: &Displacements, greatest: f64) -> Option<Factor
         let factors = Factors::new(jacobian)?;
         let step = factors.solve(&residuals);
         let size = relative(&step, at);
-        if !(size <= bound) {
+        if size.is_nan() || size > bound {
             return None;
         }
         for (z, step) in at.iter_mut().zip(step) {
@@ -119,7 +119,7 @@ pub(super) fn polished(mut at: Dyads, here: &Displacements) -> Option<Dyads> {
         let residuals = evaluate(&at, here, &mut jacobian);
         let step = Factors::new(jacobian)?.solve(&residuals);
         let size = relative(&step, &at);
-        if !(size <= last) {
+        if size.is_nan() || size > last {
             return (last < CORRECTED).then_some(at);
         }
         for (z, step) in at.iter_mut().zip(step) {
@@ -196,4 +196,43 @@ fn step_length(path: &[Power; 8], at: &Dyads, error: f64) -> f64 {
     // The next coefficient is taken to be smaller by the same ratio.
     let h = (error / fourth * radius).powf(0.2);
     h.min(0.7 * radius).max(SHORTEST)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::path::monodromy::{Random, first};
+
+    /// There and back along the same way the path ends where it began.
+    #[test]
+    fn a_path_there_and_back_is_closed() {
+        for seed in 0..5 {
+            let mut random = Random(seed);
+            let (at, here) = first(&mut random);
+            let there = random.displacements();
+            let Ending::Solution(end) = track(&at, &Way::new(here, &there), USUAL) else {
+                panic!("{seed}")
+            };
+            let moved = end.iter().zip(at).map(|(end, at)| (end - at).norm());
+            assert!(moved.fold(0.0, f64::max) > 0.1);
+            let back = track(&end, &Way::new(there, &here), CAREFUL);
+            let Ending::Solution(back) = back else {
+                panic!("{seed}")
+            };
+            assert!(
+                relative(&std::array::from_fn(|k| back[k] - at[k]), &at) < 1e-9,
+                "{seed}"
+            );
+        }
+    }
+
+    /// A start that is no solution is not followed.
+    #[test]
+    fn a_wrong_start_is_lost() {
+        let mut random = Random(3);
+        let (mut at, here) = first(&mut random);
+        at[0] += ONE;
+        let way = Way::new(here, &random.displacements());
+        assert_eq!(track(&at, &way, USUAL), Ending::Lost);
+    }
 }
