@@ -237,16 +237,27 @@ export class Page {
   }
 
   /**
-   * Adds the words of forces and of motion under load to those of the page, in any language.
+   * Adds the words of forces and of motion under load to those of the page.
    * @template T
+   * @param {Promise<T>} part that needs the words of forces
+   * @returns {Promise<T>} the part, once the words are there
+   */
+  withForces(part) {
+    return this.withWords("forces/words.*", part);
+  }
+
+  /**
+   * Adds words of a part to those of the page, in any language.
+   * @template T
+   * @param {string} files of the words, with an asterisk for the language
    * @param {Promise<T>} part that needs the words
    * @returns {Promise<T>} the part, once the words are there
    */
-  async withForces(part) {
+  async withWords(files, part) {
     const loaded = await part;
     let words;
     // Another language may have been chosen during the load.
-    do words = await Words.extended("forces/words.*", this.words.lang);
+    do words = await Words.extended(files, this.words.lang);
     while (words.lang !== this.words.lang);
     this.#applyWords(words);
     return loaded;
