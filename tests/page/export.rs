@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use roxmltree::Document;
 use thirtyfour::prelude::*;
 
-use crate::browser::{Page, setting};
+use crate::browser::{Page, plain, setting};
 use crate::picture::{COUPLER, CRANK, Picture, ROCKER, WHEEL5, apart};
 use elements::{check_head, elements, painted, size, texts};
 

@@ -17,7 +17,7 @@ use crate::summary::{HandleSummary, MotionSummary};
 #[serde(untagged)]
 pub(crate) enum PosesSummary<'a> {
     Guided(Box<GuidedSummary<'a>>),
-    Alone(AloneSummary<'a>),
+    Alone(Box<AloneSummary<'a>>),
 }
 
 /// Summary of poses through which a linkage guides the body.
@@ -157,7 +157,7 @@ impl<'a> PosesSummary<'a> {
                 task,
             }));
         }
-        Self::Alone(AloneSummary {
+        Self::Alone(Box::new(AloneSummary {
             moves: None,
             bounds: poses.sheet.bounds(),
             handles: (poses.held.iter())
@@ -169,7 +169,7 @@ impl<'a> PosesSummary<'a> {
                 .collect(),
             roles: BTreeMap::new(),
             task,
-        })
+        }))
     }
 }
 
