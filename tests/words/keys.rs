@@ -2,7 +2,7 @@
 
 /// Keys that scripts build: how they begin, and the sources in one of which the
 /// rest of every such key is named.
-pub(super) const BUILT: [(&str, &[&str]); 88] = [
+pub(super) const BUILT: [(&str, &[&str]); 90] = [
     ("under_load.motor.", &["www/under-load/fields.js"]),
     ("about.", &["crates/assur-file/src/catalogue.rs"]),
     ("assembly.", &["www/kinds/mixer/rail.js"]),
@@ -31,6 +31,8 @@ pub(super) const BUILT: [(&str, &[&str]); 88] = [
         ],
     ),
     ("field.points.", &["www/kinds/linkage/rail.js"]),
+    ("field.body.", &["crates/assur-file/src/kinds/poses.rs"]),
+    ("field.region.", &["crates/assur-file/src/kinds/poses.rs"]),
     // Masses and loads: names of fields, of links and of forces.
     ("field.bars.", MASSES),
     ("field.dampers.", SPRINGS),

@@ -98,7 +98,14 @@ pub(crate) fn kinds() -> Vec<Kind> {
 }
 
 /// Modules that are not of one kind and name problems or conditions of its documents.
-const SHARED: [(&str, &[&str]); 2] = [
+const SHARED: [(&str, &[&str]); 3] = [
+    (
+        "poses",
+        &[
+            "crates/assur-web/src/kinds/synthesis/summary.rs",
+            "crates/assur/src/synthesis/poses/verdict.rs",
+        ],
+    ),
     (
         "scheme",
         &[

@@ -32,7 +32,7 @@ export class PairsView {
     for (const name of Object.keys(FILTERS)) this.#filter.append(make("option", { value: name, "data-t": `poses.filter.${name}` }));
     this.#filter.addEventListener("change", () => this.#list());
     this.#send = make("button", { id: "pairs-send", class: "control add", type: "button", "data-t": "poses.send", onclick: () => this.#open() });
-    this.#save = make("button", { id: "pairs-csv", class: "control add", type: "button", "data-t": "poses.csv", onclick: () => this.#download() });
+    this.#save = make("button", { id: "poses.csv", class: "control add", type: "button", "data-t": "poses.csv", onclick: () => this.#download() });
     const table = make("table", { class: "pairs", "data-t-label": "poses.pairs" }, [this.#body]);
     section("poses", "poses.pairs", "pairs", [this.#said, this.#go, this.#filter, this.#count, make("div", { class: "pairs-scroll" }, [table]), this.#send, this.#save]);
   }
@@ -101,6 +101,6 @@ export class PairsView {
   }
 
   #download() {
-    if (this.#snapshot) download(new Blob([csvOf(this.#snapshot.summary, this.#listed(this.#snapshot))], { type: "text/csv" }), "pairs.csv");
+    if (this.#snapshot) download(new Blob([csvOf(this.#snapshot.summary, this.#listed(this.#snapshot))], { type: "text/csv" }), "poses.csv");
   }
 }
