@@ -64,6 +64,7 @@ pub(crate) struct Drawn {
 }
 
 impl Drawing {
+    #[inline(never)]
     pub(crate) fn new(state: &State, document: &DraftDocument) -> Result<Self, Vec<Problem>> {
         state.check()?;
         let DraftDocument(document) = document;

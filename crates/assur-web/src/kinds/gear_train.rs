@@ -23,6 +23,7 @@ pub(crate) struct GearTrain {
 }
 
 impl GearTrain {
+    #[inline(never)]
     pub(crate) fn new(state: &State, document: &GearTrainDocument) -> Result<Self, Vec<Problem>> {
         state.check()?;
         let train = document.train()?;

@@ -30,6 +30,7 @@ pub(crate) struct Linkage {
 const COMBINED_METHOD: &str = "class4-dwell";
 
 impl Linkage {
+    #[inline(never)]
     pub(crate) fn new(state: &State, made: Option<Motion>) -> Result<Self, Vec<Problem>> {
         let moved = match made {
             Some(motion) => state.moved_by(motion)?,

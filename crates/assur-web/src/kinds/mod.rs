@@ -34,6 +34,7 @@ pub(crate) fn open_after(
     made: Option<Motion>,
     state: &State,
 ) -> Result<Box<dyn Capabilities>, Vec<Problem>> {
+    // The constructors are not inlined: a first view needs the code of one kind only.
     Ok(match &state.document {
         Document::Draft(document) => Box::new(draft::Drawing::new(state, document)?),
         Document::GearTrain(document) => Box::new(gear_train::GearTrain::new(state, document)?),

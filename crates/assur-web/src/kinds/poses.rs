@@ -77,6 +77,7 @@ impl Held {
 }
 
 impl Poses {
+    #[inline(never)]
     pub(crate) fn new(state: &State, document: &PosesDocument) -> Result<Self, Vec<Problem>> {
         state.check()?;
         let found = document.guidance()?;

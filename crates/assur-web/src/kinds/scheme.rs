@@ -26,6 +26,7 @@ pub(crate) struct Scheme {
 }
 
 impl Scheme {
+    #[inline(never)]
     pub(crate) fn new(state: &State, document: &SchemeDocument) -> Result<Self, Vec<Problem>> {
         state.check()?;
         let scheme = document.scheme()?;

@@ -110,6 +110,7 @@ impl Direction {
 }
 
 impl Synthesis {
+    #[inline(never)]
     pub(crate) fn new(state: &State, document: &SynthesisDocument) -> Result<Self, Vec<Problem>> {
         state.check()?;
         let solved = document.synthesis()?;
