@@ -61,7 +61,7 @@ async fn what_does_not_move_yet_is_kept_shared_and_mended() {
     .await;
     assert_eq!(drawn(&sheet).await, before);
     let said = page.text("draw-reasons").await;
-    assert!(said.contains("stay free: BC, DC. "), "{said}");
+    assert!(said.contains("stay free: BC, CD. "), "{said}");
     assert_eq!(page.count("#draw-reasons [data-code=underdriven]").await, 1);
     let mends = page.text("draw-mends").await;
     assert!(mends.contains("Fix D"), "{mends}");

@@ -123,7 +123,7 @@ async fn the_count_comes_before_the_driver() {
         .await;
     assert_eq!(
         page.text("draw-reasons").await,
-        "There are too many pairs (W = 0); these links are locked: AB, BC. Remove one of them."
+        "There are too many pairs (W = 0); these links are locked: AB, CB. Remove one of them."
     );
     let mends = page.text("draw-mends").await;
     assert!(

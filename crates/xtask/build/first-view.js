@@ -22,6 +22,7 @@ simulator.labelNames();
 simulator.lengths();
 simulator.choosesLengths();
 simulator.setSymbol(0);
+simulator.plotsForces();
 simulator.scene();
 simulator.advance(home, 0.1);
 simulator.at(home);
