@@ -35,12 +35,13 @@ fn lessons_and_mechanisms_are_named_in_their_folders_only() {
         let own = |name: &str| {
             let folder = format!("www/kinds/{name}/");
             // A lesson says of which kinds its documents are, and which mechanisms it shows; the search knows other names of mechanisms.
-            // Forces are those of linkages; an animation has poses, too.
+            // Forces are those of linkages.
             let of_forces = ["www/forces/", "www/force-plan/", "www/under-load/"];
             path.starts_with("www/lessons/")
                 || (name == "linkage" && of_forces.iter().any(|folder| path.starts_with(folder)))
                 || path.starts_with(&folder)
                 || path == "www/gallery/other-names.js"
+                // Several poses of a mechanism in one picture are no document.
                 || (name == "poses" && path == "www/export/animation.js")
         };
         for (number, line) in (1..).zip(script.lines()) {

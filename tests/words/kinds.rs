@@ -100,13 +100,6 @@ pub(crate) fn kinds() -> Vec<Kind> {
 /// Modules that are not of one kind and name problems or conditions of its documents.
 const SHARED: [(&str, &[&str]); 3] = [
     (
-        "poses",
-        &[
-            "crates/assur-web/src/kinds/synthesis/summary.rs",
-            "crates/assur/src/synthesis/poses/verdict.rs",
-        ],
-    ),
-    (
         "scheme",
         &[
             "crates/assur-file/src/problem.rs",
@@ -117,6 +110,13 @@ const SHARED: [(&str, &[&str]); 3] = [
     (
         "gear-train",
         &["crates/assur/src/gears/train/conditions.rs"],
+    ),
+    (
+        "poses",
+        &[
+            "crates/assur/src/synthesis/poses/verdict.rs",
+            "crates/assur-web/src/kinds/synthesis/summary.rs",
+        ],
     ),
 ];
 

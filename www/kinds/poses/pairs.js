@@ -101,6 +101,6 @@ export class PairsView {
   }
 
   #download() {
-    if (this.#snapshot) download(new Blob([csvOf(this.#snapshot.summary, this.#listed(this.#snapshot))], { type: "text/csv" }), "poses.csv");
+    if (this.#snapshot) download(new Blob([csvOf(this.#snapshot.summary, this.#listed(this.#snapshot))], { type: "text/csv" }), "linkages.csv");
   }
 }

@@ -162,17 +162,17 @@ impl PosesDocument {
         let hinges = self.hinges.iter().map(|hinge| match hinge {
             HingeDocument::Frame(at) | HingeDocument::Body(at) => *at,
         });
-        let corners = self.region.into_iter().flatten();
-        for (list, places) in [
-            ("hinges", hinges.collect::<Vec<_>>()),
-            ("body", self.body.clone()),
-            ("region", corners.collect()),
-        ] {
-            for (k, place) in places.iter().enumerate() {
-                for (axis, value) in ["x", "y"].iter().zip(place) {
-                    problems.range(format!("{list}[{k}].{axis}"), *value, most);
-                }
-            }
+        for (k, [x, y]) in hinges.enumerate() {
+            problems.range(format!("hinges[{k}].x"), x, most);
+            problems.range(format!("hinges[{k}].y"), y, most);
+        }
+        for (k, [x, y]) in self.body.iter().enumerate() {
+            problems.range(format!("body[{k}].x"), *x, most);
+            problems.range(format!("body[{k}].y"), *y, most);
+        }
+        for (k, [x, y]) in self.region.iter().flatten().enumerate() {
+            problems.range(format!("region[{k}].x"), *x, most);
+            problems.range(format!("region[{k}].y"), *y, most);
         }
         problems
     }
