@@ -202,7 +202,7 @@ pub(super) fn closed(line: &[Complex<f64>]) -> Vec<Complex<f64>> {
     line
 }
 
-/// At most so many of the values, at even intervals, with the first and the last.
+/// At most `most` of the values, at even intervals, with the first and the last.
 fn thinned<T: Copy>(values: &[T], most: usize) -> Vec<T> {
     let count = values.len();
     if count <= most {
