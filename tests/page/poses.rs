@@ -19,9 +19,9 @@ async fn open(name: &str) -> Page {
 
 /// Waits until what is of poses is there.
 async fn there(page: &Page) {
-    let said = "return document.getElementById('pairs-said')?.textContent ?? ''";
+    let there = "return Boolean(document.getElementById('pairs-said')?.textContent || document.querySelector('[name=pair]'))";
     page.until("what is of poses", async || {
-        page.ask(said).await != json!("")
+        page.ask(there).await == json!(true)
     })
     .await;
     page.settle().await;
