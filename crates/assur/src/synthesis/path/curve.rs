@@ -54,7 +54,7 @@ pub(super) fn is_told_apart(at: &Dyads<Wide>) -> bool {
     sums.iter().all(|sum| sum.as_ref().is_some_and(told))
 }
 
-/// Factor by which a number is brought nearer for the look-up, so that far foci are told apart by their ratio.
+/// Factor by which a number is brought nearer for the look-up, so that far foci differ by their ratio.
 fn shrinkage(sum: C) -> f64 {
     let size = sum.norm();
     if size > 1.0 {
