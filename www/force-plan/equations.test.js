@@ -68,3 +68,13 @@ test("the lever of the engine shows the torque of the plan", () => {
   // A link that is not there has no forces.
   assert.deepEqual(simulator.freeBody(input, 99).acting, []);
 });
+
+test("a plan keeps its scale over the turn", () => {
+  const page = new Page("crank-rocker", { phi_deg: 60, omega: 3, playing: false });
+  const state = page.store.get();
+  const links = state.document.links.map((link) => ({ ...link, mass: 2 }));
+  page.engine.set({ ...state, document: { ...state.document, links, gravity: [0, -10] } });
+  const inputs = Array.from({ length: 72 }, (_, k) => (k * Math.PI) / 36);
+  const rooms = inputs.map((input) => page.engine.simulator.forcePlan(input, 1e6).picture.bounds.join());
+  assert.equal(new Set(rooms).size, 1);
+});

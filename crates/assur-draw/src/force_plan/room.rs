@@ -5,13 +5,18 @@ use assur::sorting::sort_by;
 
 use super::{extent, size};
 
+/// Size of a plan, relative to that which nine tenths of the poses keep to, beyond which it is left out: forces grow
+/// without bound near dead points.
+const UNUSUAL: f64 = 2.0;
+/// Free room on every side for poses between the sampled ones, relative to the size.
+const MARGIN: f64 = 0.02;
+
 /// Rectangles that hold each plan, by its number, in all usual poses of a motion.
 #[derive(Clone, Debug, Default)]
 pub struct PlanRooms(Vec<Option<[f64; 4]>>);
 
 impl PlanRooms {
-    /// The rooms of the plans in poses over a motion. A tenth of the poses, those with the greatest plans, is ignored,
-    /// because forces grow without bound near dead points.
+    /// The rooms of the plans in poses over a motion, without unusually great plans.
     pub fn over(poses: &[ForcePlan]) -> Self {
         let numbers = poses.iter().flat_map(|plan| &plan.steps);
         let count = numbers.map(|step| step.plan + 1).max().unwrap_or(0);
@@ -19,8 +24,15 @@ impl PlanRooms {
             let plans = poses.iter().filter_map(|plan| extent(plan, number));
             let mut plans: Vec<[f64; 4]> = plans.collect();
             sort_by(&mut plans, |a, b| size(*a).total_cmp(&size(*b)));
-            plans.truncate((plans.len() * 9).div_ceil(10));
-            plans.into_iter().reduce(joined)
+            let usual = plans
+                .get(plans.len() * 9 / 10)
+                .map_or(0.0, |plan| size(*plan));
+            plans.retain(|plan| size(*plan) <= UNUSUAL * usual);
+            plans.into_iter().reduce(joined).map(|room| {
+                let [left, bottom, right, top] = room;
+                let free = MARGIN * size(room);
+                [left - free, bottom - free, right + free, top + free]
+            })
         };
         Self((0..count).map(room).collect())
     }
