@@ -133,10 +133,10 @@ async fn drawn(page: &Page) -> Vec<(String, f64)> {
 async fn every_card_has_its_picture() {
     let page = Page::open().await;
     // All of them are in view at once.
-    page.screen((1280, 4300), 2.0).await;
+    page.screen((1280, 4700), 2.0).await;
     open(&page).await;
     // The dialog itself is no higher than on any screen.
-    page.ask("document.querySelector('.dialog.gallery').style.height = '4200px'")
+    page.ask("document.querySelector('.dialog.gallery').style.height = '4600px'")
         .await;
     for (id, part) in drawn(&page).await {
         assert!((0.01..0.9).contains(&part), "{id}: {part}");
