@@ -10,19 +10,6 @@ use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::mobility::{cuts, document, open, scheme, with_cuts};
 
-/// Places of the drawing where a pair can be taken hold of.
-async fn handles(page: &Page) -> Vec<(f64, f64)> {
-    let script = "const canvas = document.getElementById('mechanism');
-        const { left, top, width, height } = canvas.getBoundingClientRect();
-        const found = [];
-        for (let x = 4; x < width; x += 20) for (let y = 4; y < height; y += 20) {
-            canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: left + x, clientY: top + y, pointerType: 'mouse' }));
-            if (canvas.dataset.hand === 'open') found.push([x, y]);
-        }
-        return found;";
-    serde_json::from_value(page.ask(script).await).unwrap()
-}
-
 fn names(scheme: &Scheme) -> BTreeSet<String> {
     let pairs = scheme.pairs().iter();
     pairs.map(|pair| pair.name.clone()).collect()
@@ -34,7 +21,7 @@ async fn pairs_are_cut_in_the_drawing() {
     let page = open(&with_cuts("mobility-2c", &[])).await;
     page.prefer("prefers-reduced-motion", "reduce").await;
     let mut pressed = BTreeSet::new();
-    for place in handles(&page).await {
+    for place in page.handles().await {
         page.drag_along("mechanism", &[place]).await;
         let cut = cuts(&page).await;
         // A control may lie over the drawing there.
@@ -59,7 +46,7 @@ async fn a_finger_cuts_a_pair() {
     page.ask("document.getElementById('mechanism').scrollIntoView({ block: 'end', behavior: 'instant' })")
         .await;
     page.settle().await;
-    let all = handles(&page).await;
+    let all = page.handles().await;
     let mut found = BTreeSet::new();
     for place in all {
         page.fingers("mechanism", &[vec![place]]).await;

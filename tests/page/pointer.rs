@@ -109,6 +109,19 @@ impl Page {
         self.tool("Input.dispatchMouseEvent", event).await;
         self.settle().await;
     }
+
+    /// Places of the drawing where something can be taken hold of.
+    pub(crate) async fn handles(&self) -> Vec<(f64, f64)> {
+        let script = "const canvas = document.getElementById('mechanism');
+            const { left, top, width, height } = canvas.getBoundingClientRect();
+            const found = [];
+            for (let x = 4; x < width; x += 20) for (let y = 4; y < height; y += 20) {
+                canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: left + x, clientY: top + y, pointerType: 'mouse' }));
+                if (canvas.dataset.hand === 'open') found.push([x, y]);
+            }
+            return found;";
+        serde_json::from_value(self.ask(script).await).unwrap()
+    }
 }
 
 /// Fingers as sequences of actions: each is put down at the first moment it is there, moved, and lifted at the end.

@@ -40,19 +40,6 @@ async fn listed(page: &Page) -> Vec<String> {
     serde_json::from_value(page.ask(script).await).unwrap()
 }
 
-/// Places of the drawing where something can be taken hold of.
-async fn handles(page: &Page) -> Vec<(f64, f64)> {
-    let script = "const canvas = document.getElementById('mechanism');
-        const { left, top, width, height } = canvas.getBoundingClientRect();
-        const found = [];
-        for (let x = 4; x < width; x += 20) for (let y = 4; y < height; y += 20) {
-            canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: left + x, clientY: top + y, pointerType: 'mouse' }));
-            if (canvas.dataset.hand === 'open') found.push([x, y]);
-        }
-        return found;";
-    serde_json::from_value(page.ask(script).await).unwrap()
-}
-
 /// The end of the body's axis turns its pose, its origin moves it: x and y, or the angle, and nothing else.
 #[tokio::test]
 async fn poses_are_dragged_and_turned() {
@@ -61,7 +48,7 @@ async fn poses_are_dragged_and_turned() {
     assert_eq!(before.len(), 9);
     let mut moved = BTreeSet::new();
     page.click("zoom-fit").await;
-    for (x, y) in handles(&page).await {
+    for (x, y) in page.handles().await {
         page.drag_along(
             "mechanism",
             &[(x, y), (x + 11.0, y + 5.0), (x + 19.0, y + 12.0)],
@@ -203,7 +190,7 @@ async fn poses_without_a_linkage_stay() {
     let said = page.text("pairs-said").await;
     assert!(said.contains("parallel and in line"), "{said}");
     assert_eq!(page.text("problem").await, "");
-    assert!(!handles(&page).await.is_empty());
+    assert!(!page.handles().await.is_empty());
     let fields = fields(&page).await;
     assert_eq!(fields[5].1, "30°");
     page.click("undo").await;

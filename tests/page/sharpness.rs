@@ -10,7 +10,7 @@ use crate::browser::Page;
 async fn canvases_are_sharp_at_every_ratio() {
     let page = Page::open().await;
     page.stop_at("75").await;
-    // The browser's tools tell the page of another ratio only together with another size.
+    // The browser's tools give the page another ratio only together with another size.
     for (width, ratio) in [(1280, 1.0), (1284, 1.5), (1288, 2.0), (1292, 3.0)] {
         page.screen((width, 800), ratio).await;
         for projector in [false, true] {

@@ -135,19 +135,6 @@ pub(crate) async fn directions(page: &Page) -> Vec<(String, String)> {
     serde_json::from_value(all).unwrap()
 }
 
-/// Places of the drawing where something can be taken hold of.
-async fn handles(page: &Page) -> Vec<(f64, f64)> {
-    let script = "const canvas = document.getElementById('mechanism');
-        const { left, top, width, height } = canvas.getBoundingClientRect();
-        const found = [];
-        for (let x = 4; x < width; x += 24) for (let y = 4; y < height; y += 24) {
-            canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: left + x, clientY: top + y, pointerType: 'mouse' }));
-            if (canvas.dataset.hand === 'open') found.push([x, y]);
-        }
-        return found;";
-    serde_json::from_value(page.ask(script).await).unwrap()
-}
-
 /// Each ring takes one direction with it, and nothing else; each direction has one.
 #[tokio::test]
 async fn rings_are_dragged() {
@@ -157,7 +144,7 @@ async fn rings_are_dragged() {
     assert_eq!(page.text("problem").await, "");
     let before = directions(&page).await;
     let mut moved = BTreeSet::new();
-    for (x, y) in handles(&page).await {
+    for (x, y) in page.handles().await {
         page.drag_along(
             "mechanism",
             &[(x, y), (x + 9.0, y + 4.0), (x + 17.0, y + 9.0)],

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-/// A text with plain spaces for those at which no line breaks, as drivers tell the text of an element.
+/// A text with plain spaces for those at which no line breaks, as drivers give the text of an element.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('\u{a0}', " ")
 }

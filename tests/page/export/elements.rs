@@ -44,7 +44,7 @@ pub(super) fn painted(elements: &[Node<'_, '_>], attribute: &str, colour: &str) 
         .count()
 }
 
-/// Width and height of a picture, as it tells them.
+/// Width and height of a picture, as its file states them.
 pub(super) fn size(elements: &[Node<'_, '_>]) -> (f64, f64) {
     let side = |name| elements[0].attribute(name).unwrap().parse().unwrap();
     (side("width"), side("height"))

@@ -18,7 +18,7 @@ async fn what_cannot_be_is_said() {
         type_all(degrees).await;
         let faded = page.attribute("mechanism", "data-faded").await;
         assert_eq!(faded.as_deref(), Some("true"), "{degrees:?}");
-        assert!(!listed(&page).await.is_empty() && !handles(&page).await.is_empty());
+        assert!(!listed(&page).await.is_empty() && !page.handles().await.is_empty());
         for lang in languages(3) {
             page.speak(lang).await;
             let text = page.text("problem").await;

@@ -206,40 +206,13 @@ impl Equations {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::forces::{AnchorSpec, Law, LoadSpec, Loading, LoadingSpec};
-    use crate::linkage::LinkageSpec;
+    use crate::forces::{Loading, samples};
     use crate::motion::Motion;
 
-    /// Crank 3 upright, rod 5 from (0, 3) to (4, 0) with the weight 10 at its middle, slider on the x-axis with the
-    /// weight 20 and the force −100. The rod has the force (100, −70) in B and (−100, 80) in C; the guide exerts 100 on
-    /// the slider.
+    /// The slider-crank with its reactions: the rod has the force (100, −70) in B and (−100, 80) in C; the guide exerts
+    /// 100 on the slider.
     fn slider_crank() -> (Motion, Kinetostatics, Reactions) {
-        let spec = LinkageSpec::default()
-            .point("A", 0.0, 0.0)
-            .point("B", 0.0, 3.0)
-            .point("C", 4.0, 0.0)
-            .point("E", 9.0, 0.0)
-            .point("S", 2.0, 1.5)
-            .fixed(&["A", "E"])
-            .bar("crank", &["A", "B"])
-            .bar("rod", &["B", "C", "S"])
-            .with_mass(1.0, "S", 0.3)
-            .bar("slider", &["C"])
-            .with_mass(2.0, "C", 0.0)
-            .slide("slider", "C", "frame", ["A", "E"])
-            .crank("crank");
-        let motion = Motion::new(Mechanism::new(&spec).unwrap());
-        let push = LoadSpec::Force {
-            at: AnchorSpec::new("slider", "C"),
-            direction: 180_f64.to_radians(),
-            turns: false,
-            law: Law::Constant(100.0),
-        };
-        let spec = LoadingSpec {
-            gravity: Vector::new(0.0, -10.0),
-            loads: vec![push],
-            ..LoadingSpec::default()
-        };
+        let (motion, spec) = samples::slider_crank();
         let mechanism = motion.mechanism();
         let loading = Loading::new(mechanism, &spec).unwrap();
         let forces = Kinetostatics::new(mechanism);

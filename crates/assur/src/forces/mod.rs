@@ -53,6 +53,8 @@ mod plan;
 mod reactions;
 mod reduced;
 mod run;
+#[cfg(test)]
+mod samples;
 mod shaking;
 mod spec;
 mod system;

@@ -1,5 +1,7 @@
 //! Schemes for practice, with 2 to 6 moving links, positions for a drawing, and a counted mobility W ≥ 1.
 
+use crate::numeric::random::Random;
+
 use super::{PairKind, PairSpec, Point3, SchemeSpec, Vector3};
 
 /// Columns and rows of the grid of cells for the joints. The lowest row is for joints of the ground.
@@ -234,34 +236,6 @@ impl Task {
             direction
         } else {
             Vector3::new(0.6, 0.8, 0.0)
-        }
-    }
-}
-
-/// Random numbers by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    /// A random number less than `end`.
-    fn below(&mut self, end: usize) -> usize {
-        (self.next() % end.max(1) as u64) as usize
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
-    }
-
-    fn shuffle<T>(&mut self, items: &mut [T]) {
-        for at in (1..items.len()).rev() {
-            items.swap(at, self.below(at + 1));
         }
     }
 }

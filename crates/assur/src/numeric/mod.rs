@@ -11,6 +11,7 @@
 //! | `gauss` | integration of equations of motion |
 //! | `graph` | connected parts |
 //! | `angle` | whole turns |
+//! | `random` | pseudorandom numbers |
 
 pub(crate) mod angle;
 pub(crate) mod elimination;
@@ -19,6 +20,7 @@ pub(crate) mod graph;
 pub(crate) mod linear;
 pub(crate) mod newton;
 pub(crate) mod polynomial;
+pub(crate) mod random;
 pub(crate) mod roots;
 pub(crate) mod tolerance;
 

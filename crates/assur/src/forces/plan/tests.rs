@@ -1,5 +1,5 @@
 use super::*;
-use crate::forces::{AnchorSpec, Law, LoadSpec, Loading, LoadingSpec};
+use crate::forces::{Loading, LoadingSpec, samples};
 use crate::linkage::LinkageSpec;
 use crate::motion::Motion;
 
@@ -19,37 +19,11 @@ fn is(found: Vector, x: f64, y: f64) {
     assert!(off < 1e-12, "{found}, not ({x}, {y})");
 }
 
-/// Crank 3 upright, rod 5 from (0, 3) to (4, 0) with the weight 10 at its middle, slider on the x-axis with the weight 20
-/// and the force −100. By hand: moments of the rod about C give 10·2 + 5 Rᵗ = 0; then the polygon of the group closes
+/// By hand: moments of the rod about C give 10·2 + 5 Rᵗ = 0; then the polygon of the group closes
 /// with 122 along the rod and 100 from the guide; the crank has the force (−100, 70) at its end.
 #[test]
 fn a_slider_crank_by_hand() {
-    let spec = LinkageSpec::default()
-        .point("A", 0.0, 0.0)
-        .point("B", 0.0, 3.0)
-        .point("C", 4.0, 0.0)
-        .point("E", 9.0, 0.0)
-        .point("S", 2.0, 1.5)
-        .fixed(&["A", "E"])
-        .bar("crank", &["A", "B"])
-        .bar("rod", &["B", "C", "S"])
-        .with_mass(1.0, "S", 0.3)
-        .bar("slider", &["C"])
-        .with_mass(2.0, "C", 0.0)
-        .slide("slider", "C", "frame", ["A", "E"])
-        .crank("crank");
-    let motion = Motion::new(Mechanism::new(&spec).unwrap());
-    let push = LoadSpec::Force {
-        at: AnchorSpec::new("slider", "C"),
-        direction: 180_f64.to_radians(),
-        turns: false,
-        law: Law::Constant(100.0),
-    };
-    let loading = LoadingSpec {
-        gravity: Vector::new(0.0, -10.0),
-        loads: vec![push],
-        ..LoadingSpec::default()
-    };
+    let (motion, loading) = samples::slider_crank();
     let (forces, plan) = plan_of(&motion, &loading);
     let kinds: Vec<StepKind> = plan.steps.iter().map(|step| step.kind).collect();
     use StepKind::{Moments, Polygon};

@@ -84,7 +84,7 @@ struct Optimum {
     fitted: Fitted,
     candidate: Candidate,
     deviation: Deviation,
-    /// The root mean square at the feet after the descent by least squares, which tells optima apart.
+    /// The root mean square at the feet after the descent by least squares, which distinguishes optima.
     squares: f64,
 }
 

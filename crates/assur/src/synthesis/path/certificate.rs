@@ -5,7 +5,7 @@
 //! (Krawczyk 1969; Rump 2010, Acta Numerica 19, theorem 13.3). Discs are convex, so the mean-value theorem holds.
 
 use super::alt::{Displacements, Dyads, evaluate, residuals, turn};
-use super::curve::is_told_apart;
+use super::curve::is_distinct;
 use super::disc::Disc;
 use super::matrix::Factors;
 use super::wide::Wide;
@@ -87,7 +87,7 @@ pub(super) fn certified(
         if contraction < 0.999 && MORE * (shift + contraction * alone) < alone {
             let error = MORE * shift / (1.0 - contraction);
             let enclosed = std::array::from_fn(|k| wide[k].within(error * scales[k]));
-            let sound = is_sound(&enclosed, displacements) && is_told_apart(&enclosed);
+            let sound = is_sound(&enclosed, displacements) && is_distinct(&enclosed);
             let error = error + ROUNDED;
             let certificate = Certificate {
                 error,
@@ -195,7 +195,8 @@ fn is_real(at: &Dyads, scales: &[f64; 8], error: f64, alone: f64) -> Option<bool
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::path::monodromy::{Random, first};
+    use crate::numeric::random::Random;
+    use crate::synthesis::path::monodromy::first;
 
     fn wide(displacements: &Displacements) -> Displacements<Wide> {
         displacements.map(|z| Wide::new(z, 0.0))

@@ -43,15 +43,15 @@ pub(super) fn invariants(at: &Dyads) -> [C; 2] {
 
 /// True if the invariants of the solutions within discs are known so well that curves in cells apart differ: shrinking
 /// moves two numbers apart by at most its factor times their distance, doubled here for the change of the factor.
-pub(super) fn is_told_apart(at: &Dyads<Wide>) -> bool {
+pub(super) fn is_distinct(at: &Dyads<Wide>) -> bool {
     let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
     let sum = |x: Wide, a: Wide, y: Wide, b: Wide| {
         let third = (b * x - a * y).disc() * (x - y).disc().reciprocal()?;
         Some((a + b).disc() + third)
     };
     let sums = [sum(x, a, y, b), sum(x_bar, a_bar, y_bar, b_bar)];
-    let told = |sum: &Disc| 2.0 * sum.radius * shrinkage(sum.centre) < 0.25 * CELL;
-    sums.iter().all(|sum| sum.as_ref().is_some_and(told))
+    let known = |sum: &Disc| 2.0 * sum.radius * shrinkage(sum.centre) < 0.25 * CELL;
+    sums.iter().all(|sum| sum.as_ref().is_some_and(known))
 }
 
 /// Factor by which a number is brought nearer for the look-up, so that far foci differ by their ratio.
@@ -110,8 +110,9 @@ impl Distinct {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::random::Random;
     use crate::synthesis::path::alt::residuals;
-    use crate::synthesis::path::monodromy::{Random, first};
+    use crate::synthesis::path::monodromy::first;
 
     /// Cognates solve the same equations, have the same invariants, and the third cognate of a cognate is the first.
     #[test]

@@ -4,6 +4,8 @@
 //! ways go on until all [`CURVES`] are known (Sommese and Wampler 2005, *The Numerical Solution of Systems of
 //! Polynomials Arising in Engineering and Science*, ch. 15).
 
+use crate::numeric::random::Random;
+
 use super::alt::{Displacements, Dyads};
 use super::curve::{Distinct, invariants, smallest};
 use super::start::Start;
@@ -13,49 +15,34 @@ use super::{C, CURVES, ZERO};
 /// Closed ways after which the search is given up.
 const MAX_WAYS: usize = 60;
 
-/// Pseudorandom numbers, the same for the same seed (splitmix64), without functions that differ between platforms.
-#[derive(Clone, Debug)]
-pub(super) struct Random(pub(super) u64);
-
-impl Random {
-    /// A number from 0 to 1.
-    pub(super) fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// A complex number whose magnitude is from ½ to 3/2.
-    pub(super) fn complex(&mut self) -> C {
-        loop {
-            let z = C::new(3.0 * self.unit() - 1.5, 3.0 * self.unit() - 1.5);
-            if (0.25..=2.25).contains(&z.norm_sqr()) {
-                return z;
-            }
+/// A complex number whose magnitude is from ½ to 3/2.
+fn complex(random: &mut Random) -> C {
+    loop {
+        let z = C::new(random.between(-1.5, 1.5), random.between(-1.5, 1.5));
+        if (0.25..=2.25).contains(&z.norm_sqr()) {
+            return z;
         }
     }
+}
 
-    pub(super) fn displacements(&mut self) -> Displacements {
-        Displacements {
-            forward: [(); 8].map(|()| self.complex()),
-            backward: [(); 8].map(|()| self.complex()),
-        }
+pub(super) fn displacements(random: &mut Random) -> Displacements {
+    Displacements {
+        forward: [(); 8].map(|()| complex(random)),
+        backward: [(); 8].map(|()| complex(random)),
     }
 }
 
 /// Random dyads, and nine points on their curve.
 pub(super) fn first(random: &mut Random) -> (Dyads, Displacements) {
-    let at = [(); 8].map(|()| random.complex());
+    let at = [(); 8].map(|()| complex(random));
     let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = at;
-    let mut displacements = Displacements {
+    let mut given = Displacements {
         forward: [ZERO; 8],
         backward: [ZERO; 8],
     };
     for j in 0..8 {
         // With T = e^(iθ) a dyad is at length if δδ̄ + pδ + qδ̄ + k = 0.
-        let turn = random.complex();
+        let turn = complex(random);
         let back = turn.inv();
         let terms = |x: C, a: C, x_bar: C, a_bar: C| {
             let constant = x_bar * a + x * a_bar - x * a_bar * turn - a * x_bar * back;
@@ -69,10 +56,10 @@ pub(super) fn first(random: &mut Random) -> (Dyads, Displacements) {
         let half = (n + p * m + q) / (m * 2.0);
         let root = (half * half - (p * n + k) / m).sqrt();
         let bar = root - half;
-        displacements.forward[j] = m * bar + n;
-        displacements.backward[j] = bar;
+        given.forward[j] = m * bar + n;
+        given.backward[j] = bar;
     }
-    (at, displacements)
+    (at, given)
 }
 
 impl Start {
@@ -84,7 +71,7 @@ impl Start {
         distinct.add(&at, 0);
         let mut found = vec![at];
         for _ in 0..MAX_WAYS {
-            let (p, q) = (random.displacements(), random.displacements());
+            let (p, q) = (displacements(&mut random), displacements(&mut random));
             let ways = [Way::new(here, &p), Way::new(p, &q), Way::new(q, &here)];
             for k in 0..found.len() {
                 let end = ways

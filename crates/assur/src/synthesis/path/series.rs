@@ -158,15 +158,16 @@ pub(super) fn taylor(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::random::Random;
     use crate::synthesis::path::alt::evaluate;
-    use crate::synthesis::path::monodromy::{Random, first};
+    use crate::synthesis::path::monodromy::{displacements, first};
 
     /// With terms to the fourth power the residual is of the fifth order: a tenth of the step leaves 10⁻⁵ of it.
     #[test]
     fn the_residual_of_the_polynomial_is_of_the_fifth_order() {
         let mut random = Random(5);
         let (at, here) = first(&mut random);
-        let rates = random.displacements();
+        let rates = displacements(&mut random);
         let mut jacobian = [[ZERO; 8]; 8];
         evaluate(&at, &here, &mut jacobian);
         let path = taylor(&at, &here, &rates, &Factors::new(jacobian).unwrap());

@@ -2,6 +2,7 @@
 
 use nalgebra::Complex;
 
+use crate::numeric::max_abs;
 use crate::{Point, Vector, tolerance};
 
 use super::alt::Displacements;
@@ -60,7 +61,7 @@ impl NinePoints {
             .try_into()
             .map_err(|_| PathError::Count(points.len()))?;
         let middle = Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / 9.0);
-        let size = greatest(points.iter().map(|point| (point - middle).norm()));
+        let size = max_abs(points.iter().map(|point| (point - middle).norm()));
         for (k, point) in points.iter().enumerate() {
             let same = |other: &Point| (other - point).norm() <= tolerance::COINCIDENT * size;
             if let Some(other) = points[..k].iter().position(same) {
@@ -136,10 +137,6 @@ impl NinePoints {
     pub(super) fn scale(&self) -> f64 {
         self.scale
     }
-}
-
-fn greatest(values: impl Iterator<Item = f64>) -> f64 {
-    values.fold(0.0, f64::max)
 }
 
 /// # Errors

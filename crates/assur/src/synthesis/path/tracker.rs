@@ -201,7 +201,8 @@ fn step_length(path: &[Power; 8], at: &Dyads, error: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::path::monodromy::{Random, first};
+    use crate::numeric::random::Random;
+    use crate::synthesis::path::monodromy::{displacements, first};
 
     /// There and back along the same way the path ends where it began.
     #[test]
@@ -209,7 +210,7 @@ mod tests {
         for seed in 0..5 {
             let mut random = Random(seed);
             let (at, here) = first(&mut random);
-            let there = random.displacements();
+            let there = displacements(&mut random);
             let Ending::Solution(end) = track(&at, &Way::new(here, &there), USUAL) else {
                 panic!("{seed}")
             };
@@ -232,7 +233,7 @@ mod tests {
         let mut random = Random(3);
         let (mut at, here) = first(&mut random);
         at[0] += ONE;
-        let way = Way::new(here, &random.displacements());
+        let way = Way::new(here, &displacements(&mut random));
         assert_eq!(track(&at, &way, USUAL), Ending::Lost);
     }
 }
