@@ -111,8 +111,9 @@ function breath() {
 export function targetOn(canvas, size, width, settings = { alpha: false }) {
   const ratio = width / size.width;
   // Video formats require even numbers of pixels. Rounding down keeps all pixels on the sheet.
-  canvas.width = 2 * Math.floor(width / 2);
-  canvas.height = 2 * Math.floor((size.height * ratio) / 2);
+  const even = (/** @type {number} */ pixels) => Math.max(2 * Math.floor(pixels / 2), 2);
+  canvas.width = even(width);
+  canvas.height = even(size.height * ratio);
   const context = /** @type {CanvasRenderingContext2D | null} */ (canvas.getContext("2d", settings));
   if (!context) throw new Error("no 2d context");
   context.setTransform(ratio, 0, 0, ratio, 0, 0);

@@ -162,8 +162,9 @@ export class MechanismView {
    */
   sheet(least = 0, tall = 0) {
     const { visible } = this.#surface;
-    const screen = visible ? this.view : Transform.fit(this.#fullBounds, ...UNSEEN, this.#margin);
-    const [left, bottom, right, top] = visible && this.zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
+    const zoomed = visible && this.zoomed;
+    const screen = visible ? (zoomed ? this.view : this.#fit()) : Transform.fit(this.#fullBounds, ...UNSEEN, this.#margin);
+    const [left, bottom, right, top] = zoomed ? this.#onScreen() : this.#boundsOnScreen(screen);
     const aside = Math.ceil(Math.max(0, least - (right - left)) / 2);
     const above = Math.ceil(Math.max(0, tall - (bottom - top)) / 2);
     const size = { width: right - left + 2 * aside, height: bottom - top + 2 * above };

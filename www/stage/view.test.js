@@ -44,6 +44,19 @@ test("a picture shows the mechanism whole and large, whether the stage is seen o
   }
 });
 
+test("a picture of a drawing whose view is kept has a usual size, however large and far the mechanism", () => {
+  const page = new Page("crank-rocker", { drawing: true });
+  const view = new MechanismView(canvasOf(800, 600), page.engine, themeOf(page.engine.roles));
+  view.keep(true, () => ({ top: 40, bottom: 0 }));
+  const now = page.now();
+  view.render(now);
+  for (const bounds of [[0, 0, 1e9, 1e9], [1e18, 1e18, 2e18, 2e18], [0, 0, 1e-9, 1e-9]]) {
+    view.render({ ...now, summary: { ...now.summary, bounds } });
+    const { width, height } = view.sheet().size;
+    assert.ok(width > 100 && width <= 800 && height > 100 && height <= 600, `${bounds}: ${width} × ${height}`);
+  }
+});
+
 test("buttons in the corner cover nothing of a fitted drawing, and take no room where they cover nothing", () => {
   const corner = { width: 250, height: 64 };
   for (const [id, width, height, shrinks] of [["jansen", 360, 300, true], ["jansen", 960, 900, true], ["mixer-a", 600, 630, false]]) {
