@@ -14,7 +14,7 @@ use crate::host::home;
 use crate::picture::Picture;
 use line::Line;
 use pool::{Profile, Window};
-pub(crate) use setting::{in_firefox, lacking, setting};
+pub(crate) use setting::{in_firefox, setting};
 pub(crate) use text::plain;
 use text::spaced;
 
@@ -29,7 +29,7 @@ mod line;
 #[path = "browser/pool.rs"]
 mod pool;
 #[path = "browser/setting.rs"]
-mod setting;
+pub(crate) mod setting;
 #[path = "browser/text.rs"]
 mod text;
 

@@ -2,7 +2,8 @@
 
 use serde_json::json;
 
-use crate::browser::{Page, lacking};
+use crate::browser::Page;
+use crate::browser::setting::lacking;
 use crate::host::home;
 
 /// The head of the page asks for all of it, so that it comes with the second round trip: no

@@ -5,7 +5,8 @@ use std::fs;
 use serde_json::{Value, json};
 use thirtyfour::common::print::PrintParameters;
 
-use crate::browser::{Page, lacking};
+use crate::browser::Page;
+use crate::browser::setting::lacking;
 use crate::gallery;
 use crate::host::home;
 use crate::lecturers::{fill, open_tab, press, there};

@@ -13,7 +13,8 @@ use assur_file::State;
 use assur_tests::scaled;
 use serde_json::{Value, json};
 
-use crate::browser::{Page, lacking};
+use crate::browser::Page;
+use crate::browser::setting::lacking;
 use crate::dice::Dice;
 use crate::host::home;
 use means::{ADDRESSES, KEYS, NONSENSE, SIZES, TWICE, TYPED, WITHIN_REACH};

@@ -6,7 +6,8 @@ use assur::{Assembly, Point, Vector};
 use assur_tests::assert_near;
 use serde_json::json;
 
-use crate::browser::{Page, lacking};
+use crate::browser::Page;
+use crate::browser::setting::lacking;
 use crate::hands::{View, column, joints, lengths};
 
 /// The page on a phone, at rest at 60°.
