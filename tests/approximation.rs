@@ -57,7 +57,7 @@ fn mechanisms_trace_what_the_search_promises() {
                 matches!(found.linkage, Tracing::FourBar(_)),
                 kind == Kind::FourBar
             );
-            let mechanism = Mechanism::new(&found.spec()).unwrap();
+            let mechanism = Mechanism::new(&found.linkage.spec()).unwrap();
             let motion = Motion::new(mechanism);
             assert!(motion.cycle().is_full(), "{found:?}");
             let point = motion.mechanism().point("P").unwrap();

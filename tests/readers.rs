@@ -3,7 +3,7 @@
 //! terminal are in `crates/assur-cli/tests/damaged.rs`, for addresses of the page in `www/app/damage.test.js`.
 
 use assur_file::{
-    Document, FORMAT, State, catalogue, document, document_of, poses, schemes, trains,
+    Document, FORMAT, State, catalogue, document, document_of, schemes, tasks, trains,
 };
 use assur_import::{read, recognised};
 use assur_tests::damage::{Dice, checked, damaged, fuzz};
@@ -32,7 +32,7 @@ fn stated(document: &Document) -> Value {
 
 /// Every document of the catalogue.
 fn documents() -> impl Iterator<Item = Document> {
-    let names = catalogue().chain(trains()).chain(schemes()).chain(poses());
+    let names = catalogue().chain(trains()).chain(schemes()).chain(tasks());
     names.map(|name| document(name).unwrap().unwrap())
 }
 

@@ -17,11 +17,12 @@ export type ChoiceDocument = {
 /** The options. */ options: Array<string>, 
 /** Index of the right option, from 0. */ answer: number, };
 export type CouplingDocument = "magnetic" | "contact";
+export type CourseDocument = "points" | "open" | "closed";
 export type DamperDocument = { 
 /** The points of its two ends. */ ends?: [AnchorDocument, AnchorDocument] | null, 
 /** The links between which it acts on their relative angular velocity, if it has no ends. */ links?: [string, string] | null, 
 /** Damping coefficient: N·s/m, or N·m·s. */ damping: number, };
-export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
+export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type DraftDocument = LinkageDocument;
 export type DriveDocument = { 
 /** The driven shaft. */ shaft: ShaftDocument, 
@@ -227,6 +228,11 @@ export type PairDocument = {
 /** The second axis of a universal pair, or the line along which two surfaces touch. */ second?: [number, number, number] | null, 
 /** Advance of a screw per turn. */ pitch?: number | null, 
 /** Number of freedoms of a pair of unspecified type. */ freedoms?: number | null, };
+export type PathDocument = { 
+/** Unit of lengths; if absent, only proportions count. */ unit?: LengthUnit | null, 
+/** What the points mean. */ course?: CourseDocument, 
+/** The points of the path, in their order: 3 to 512. */ points: Array<[number, number]>, 
+/** The linkage that is shown; if absent, the best one of a short search. */ linkage?: TracingDocument | null, };
 export type PictureDocument = { 
 /** The image, as a `data:` URL. */ image: string, 
 /** Position of the picture's upper left corner. */ at: [number, number], 
@@ -260,7 +266,7 @@ export type PositionDocument = {
 /** Weight of the position if not all positions can be met. */ weight: number, 
 /** Coupler angle φ₁ at which the conditions of the paper are evaluated; if absent, that of the shown linkage. */ coupler_deg?: number | null, };
 export type Preset = { 
-/** Name in the catalogue. */ id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+/** Name in the catalogue. */ id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type QuestionDocument = { 
 /** Text of the question. */ text: string, 
 /** Hint after a wrong answer. */ hint?: string, 
@@ -289,7 +295,7 @@ export type Shelf = {
 /** Highest class of the Assur groups, in Roman numerals; none if the mechanism is not a linkage. */ class: string | null, };
 export type ShownDocument = { 
 /** The view. Only fields that differ from their defaults are saved. */ view: Partial<View>, 
-/** Numbers of the document that vary from reader to reader. */ vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+/** Numbers of the document that vary from reader to reader. */ vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type SlideDocument = { 
 /** The link that slides. */ link: string, 
 /** Point of the sliding link that keeps its drawn distance from the line. */ point: string, 
@@ -330,6 +336,14 @@ export type TracerDocument = {
 /** Name of the traced point, different from the names of all points. */ name: string, 
 /** The link to which the traced point is fixed. */ link: string, 
 /** Coordinates of the traced point on the link: x from the link's first point towards the second, y to the left. */ at: [number, number], };
+export type TracingDocument = { "four_bar": { 
+/** Fixed pivots of crank and rocker. */ pivots: [[number, number], [number, number]], 
+/** Joints of the coupler with crank and rocker. */ joints: [[number, number], [number, number]], 
+/** The traced point of the coupler. */ point: [number, number], } } | { "slider_crank": { 
+/** Fixed pivot of the crank. */ pivot: [number, number], 
+/** Joints of the rod with crank and slider. */ joints: [[number, number], [number, number]], 
+/** Direction of the guide. */ guide: [number, number], 
+/** The traced point of the rod. */ point: [number, number], } };
 export type VariedDocument = { 
 /** Path of the field of a number that a lesson may vary, such as `links[0].length`. */ field: string, 
 /** The least value. */ from: number, 

@@ -1,6 +1,6 @@
 // Written by the tests of this crate from its Rust: see src/types.rs.
 import { Mend } from "assur/types/edit.js";
-import { Document, DocumentOf, Frozen, HingeDocument, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from "assur/types/file.js";
+import { Document, DocumentOf, Frozen, HingeDocument, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, TracingDocument, View } from "assur/types/file.js";
 export type Kind = Document["kind"];
 export type Summary = Summaries[Kind];
 export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: View, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
@@ -8,7 +8,7 @@ export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<
 export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
-export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, path: PathSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type ActingHere = { symbol: string, couple: boolean, 
 /** Components of the force; null if indeterminate, and for a couple. */ x: number | null, y: number | null, 
 /** Magnitude of the force, or the couple; null if indeterminate. */ size: number | null, 
@@ -184,6 +184,10 @@ export type FoundSummary = {
 /** Number of starts that ended in the solution shown first. */ best: number, 
 /** l₂ and l₃ along the path from each start. */ paths: Array<Array<[number, number]>>, 
 /** Decimal logarithm of ΣJ as a function of l₂ and l₃. */ sum: PlaneSummary, };
+export type FoundTracing = { linkage: TracingDocument, 
+/** Greatest distance between path and curve. */ greatest: number, 
+/** Root of the mean square of the distances; null if it was not computed. */ root_mean_square: number | null, verdict: TracingVerdict | null, 
+/** Number of the coupler curve among those through nine points, from 1; its cognates share it. */ curve: number | null, };
 export type FourBarSummary = { links: [string, string, string, string], grashof: string, };
 export type FreeBodyHere = { 
 /** Numbers and names of the links that can be chosen. */ links: Array<[string, string]>, acting: Array<ActingHere>, picture: ForcePictureHere, };
@@ -315,6 +319,20 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
 export type ListedSummary = { name: string, 
 /** `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`. */ what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /** The subscript in the symbol of the read-out, if the read-out is an angle. */ number: string | null, role: string, };
+export type LonePathSummary = { 
+/** Always null: a path alone has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
+/**
+ * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; empty without a
+ * linkage.
+ */
+met: Array<number>, 
+/** Distances of the points from the traced curve. */ distances: Array<number>, 
+/** Diagonal of the bounding box of the path. */ size: number, 
+/** The line or circle on which all points lie. */ special: "line" | "circle" | null, 
+/** The shown linkage; null if there is none. */ traced: FoundTracing | null, 
+/** The cognates of the shown linkage, which trace the same curve; null if it has no such cognate. */ cognates: readonly (TracingDocument | null)[], 
+/** Geared five-bars that trace the same curve, for the simulator. */ geared: readonly { kind: "linkage", document: LinkageDocument }[], 
+/** The shown linkage, for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument } | null, };
 export type LoopSummary = { cut: string, pairs: Array<string>, constraints: number, spatial_constraints: number, motion_space: number, redundant: number, };
 export type MarkLayout = { role: string, kind: "max" | "min" | "zero", phi: number, value: number, };
 export type MassHere = { link: string, mass: number, 
@@ -358,10 +376,31 @@ export type MotionsMap = {
 /** Name of the link whose angle numbers the assemblies. */ output: string, branches: Array<BranchLine>, meetings: Array<MeetingPlace>, circuits: number, 
 /** Whether all branches were found and each was followed to its ends. */ whole: boolean, };
 export type Movement = { field: string, by: number, };
+export type NinePointProgress = { 
+/** Number of different coupler curves found and proved, real and complex. */ curves: number, 
+/** Number of all of them for generic points. */ all: number, 
+/** Number of curves that are found but not proved. */ unproved: number, 
+/** Number of paths of the present work that are not yet followed. */ left: number, 
+/** Whether all curves are found and proved. */ complete: boolean, };
 export type OutputSummary = { name: string, searched: boolean, swing: Array<Between | null>, turns: Array<number>, limits: Array<LimitSummary>, time_ratio: number | null, };
 export type PairSummary = { name: string, freedoms: number, constraints: number, spatial_freedoms: number, 
 /** Names of the possible cuts of this pair: one cut, or one for each link of a compound hinge. */ cuts: Array<string>, };
 export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length" | "force" | "torque", physical: boolean, differenced: boolean, left: number, top: number, width: number, height: number, x0: number, x1: number, y0: number, y1: number, xticks: Array<TickLayout>, yticks: Array<TickLayout>, series: Array<SeriesLayout>, marks: Array<MarkLayout>, points: Array<number>, };
+export type PathSummary = TracedSummary | LonePathSummary;
+export type PathTaskSummary = { 
+/**
+ * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; empty without a
+ * linkage.
+ */
+met: Array<number>, 
+/** Distances of the points from the traced curve. */ distances: Array<number>, 
+/** Diagonal of the bounding box of the path. */ size: number, 
+/** The line or circle on which all points lie. */ special: "line" | "circle" | null, 
+/** The shown linkage; null if there is none. */ traced: FoundTracing | null, 
+/** The cognates of the shown linkage, which trace the same curve; null if it has no such cognate. */ cognates: readonly (TracingDocument | null)[], 
+/** Geared five-bars that trace the same curve, for the simulator. */ geared: readonly { kind: "linkage", document: LinkageDocument }[], 
+/** The shown linkage, for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument } | null, };
+export type PathWork = { way: number, careful: boolean, paths: Array<number>, };
 export type PhaseSummary = { kind: "rise" | "dwell" | "return", arc: [number, number], };
 export type PlaneSummary = { 
 /** Minimum and maximum length, the same on both axes. */ bounds: [number, number], values: Array<Array<number>>, };
@@ -510,6 +549,45 @@ met: Array<number | null>, special: SpecialSummary | null,
 /** The shown linkage, for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument } | null, };
 export type TheoremSummary = { number: number, conditions: boolean, truth: boolean, };
 export type TickLayout = { value: number, at: number, };
+export type TracedSummary = { four_bars: Array<FourBarSummary>, points: Array<string>, 
+/** Kind of input: `angle`, `length` or `time`. */ moves: "angle" | "length" | "time", 
+/** The subscript in the symbol of the input, such as 1 in φ₁; empty if the input is time. */ input: string, cycle: CycleSummary, home: number, dead_points: Array<DeadPointSummary>, change_points: Array<number>, 
+/** The reason why the motion was not searched for extrema; none if it was. Unsearched outputs have only a name. */ unsearched: UnsearchedSummary | null, 
+/** Numbers of the links, by name: a link's number is the subscript of its angle, as in φ₂. */ numbers: { [key in string]: string }, listed: Array<ListedSummary>, 
+/** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
+/** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
+/** Whether points of the links can be traced. */ traceable: boolean, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
+/** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, 
+/**
+ * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; empty without a
+ * linkage.
+ */
+met: Array<number>, 
+/** Distances of the points from the traced curve. */ distances: Array<number>, 
+/** Diagonal of the bounding box of the path. */ size: number, 
+/** The line or circle on which all points lie. */ special: "line" | "circle" | null, 
+/** The shown linkage; null if there is none. */ traced: FoundTracing | null, 
+/** The cognates of the shown linkage, which trace the same curve; null if it has no such cognate. */ cognates: readonly (TracingDocument | null)[], 
+/** Geared five-bars that trace the same curve, for the simulator. */ geared: readonly { kind: "linkage", document: LinkageDocument }[], 
+/** The shown linkage, for the simulator. */ linkage: { kind: "linkage", document: LinkageDocument } | null, };
+export type TracingProgress = { 
+/** Number of linkages compared so far. */ candidates: number, 
+/** Whether the path is met within rounding, so that no better linkage exists. */ exact: boolean, 
+/** The best linkages, if this step has found a better one; null otherwise. */ found: Array<FoundTracing> | null, };
+export type TracingVerdict = { 
+/** Grashof type of a four-bar. */ grashof: string | null, passage: "continuous" | "through_change_point" | "across_dead_point" | "other_circuit" | "unreached", order: "growing" | "falling" | "either" | "mixed", turns: boolean, 
+/**
+ * Minimum transmission angle between the points or, if the linkage does not pass through all of them, over the
+ * whole motion, radians.
+ */
+transmission: number, size_ratio: number, };
+export type TracingWishes = { 
+/** Whether the root of the mean square is to be small instead of the greatest distance. */ squares: boolean, 
+/** Whether four-bars are admitted. */ four_bars: boolean, 
+/** Whether slider-cranks are admitted. */ slider_cranks: boolean, 
+/** Whether four-bars without a link that turns fully are admitted. */ swinging: boolean, };
 export type TrainConditionSummary = { kind: string, left: number, relation: string, right: number, met: boolean, 
 /** Whether gears with profile shift could still meet the condition. */ shifted: boolean, };
 export type TransmissionSummary = { what: "transmission" | "pressure", joint: string, links: [string, string], worst: number | null, input: number | null, };

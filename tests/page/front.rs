@@ -145,7 +145,7 @@ async fn every_card_has_its_picture() {
     let mut expected: Vec<String> = assur_file::catalogue()
         .chain(assur_file::schemes())
         .chain(assur_file::trains())
-        .chain(assur_file::poses())
+        .chain(assur_file::tasks())
         .map(str::to_owned)
         .collect();
     let lessons = ids

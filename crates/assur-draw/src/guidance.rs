@@ -1,11 +1,11 @@
-//! Poses of a body, with the curves and points on which the hinges of a linkage may lie.
+//! Poses of a body, with the curves and points on which the hinges of a linkage may lie; points of a path.
 
 use assur::{Point, Vector};
 
 use crate::figure::bounds;
 use crate::list::{List, Look, Role};
 
-/// Poses of a body with what is drawn for the choice of a linkage.
+/// Poses of a body, or a path, with what is drawn for the choice of a linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Guidance {
     /// The poses.
@@ -14,6 +14,10 @@ pub struct Guidance {
     pub curves: Vec<(Vec<Point>, Role, bool)>,
     /// Points with their names, and whether they are chosen.
     pub points: Vec<(String, Point, Role, bool)>,
+    /// A wanted curve.
+    pub path: Vec<Point>,
+    /// Points of a path with their numbers, and whether they are met.
+    pub marks: Vec<(String, Point, bool)>,
 }
 
 /// A pose of the body.
@@ -31,6 +35,9 @@ pub struct DrawnPose {
     pub role: Role,
 }
 
+/// Role of a wanted path.
+const PATH: Role = Role::Accent2;
+
 /// Margin around poses that are drawn alone, as a part of the drawing's size.
 const ROOM: f64 = 0.12;
 
@@ -38,16 +45,22 @@ const ROOM: f64 = 0.12;
 const BEYOND: f64 = 1.3;
 
 impl Guidance {
-    /// Returns the points that must be within the drawing: of poses alone, since curves have no end.
+    /// Returns the points that must be within the drawing: those of poses and of the path, but not the curves of
+    /// hinges, which have no end.
     pub(crate) fn reach(&self) -> impl Iterator<Item = Point> + '_ {
         let poses = self.poses.iter();
-        poses.flat_map(|pose| pose.outline.iter().copied().chain([pose.origin, pose.tip]))
+        let poses =
+            poses.flat_map(|pose| pose.outline.iter().copied().chain([pose.origin, pose.tip]));
+        let marks = self.marks.iter().map(|(_, at, _)| *at);
+        poses.chain(self.path.iter().copied()).chain(marks)
     }
 
     /// Returns the texts of the labels, in the order in which they are drawn.
     pub(crate) fn labels(&self) -> impl Iterator<Item = &String> {
         let numbers = self.poses.iter().map(|pose| &pose.number);
-        numbers.chain(self.points.iter().map(|(name, ..)| name))
+        let points = self.points.iter().map(|(name, ..)| name);
+        let marks = self.marks.iter().map(|(name, ..)| name);
+        numbers.chain(points).chain(marks)
     }
 
     /// Draws everything; `names` are the indices of the labels.
@@ -56,7 +69,9 @@ impl Guidance {
             let look = if *dashed { Look::Dashed } else { Look::Line };
             list.polyline(*role, look, points);
         }
+        list.polyline(PATH, Look::Dashed, &self.path);
         let (numbers, letters) = names.split_at(self.poses.len().min(names.len()));
+        let (letters, marks) = letters.split_at(self.points.len().min(letters.len()));
         for (pose, name) in self.poses.iter().zip(numbers) {
             let outline = std::slice::from_ref(&pose.outline);
             list.polygons(pose.role, Look::Pale, outline);
@@ -79,10 +94,15 @@ impl Guidance {
             list.circle(*role, look, *at, unit);
             list.name(*role, *name, *at, [1.0, 1.0]);
         }
+        for ((_, at, is_met), name) in self.marks.iter().zip(marks) {
+            let look = if *is_met { Look::Solid } else { Look::Hollow };
+            list.circle(PATH, look, *at, unit);
+            list.name(PATH, *name, *at, [1.0, 1.0]);
+        }
     }
 }
 
-/// Poses drawn alone: no linkage guides the body through them.
+/// Poses or a path drawn alone, without a linkage.
 #[derive(Clone, Debug)]
 pub struct GuidanceSheet {
     names: Vec<String>,
@@ -91,7 +111,7 @@ pub struct GuidanceSheet {
 }
 
 impl GuidanceSheet {
-    /// Draws poses; `symbol` is the symbol unit, by default a hundredth of the drawing's size.
+    /// Draws them; `symbol` is the symbol unit, by default a hundredth of the drawing's size.
     pub fn new(guidance: &Guidance, symbol: Option<f64>) -> Self {
         let around = bounds::around(guidance.reach());
         let size = bounds::size(around);
@@ -114,7 +134,7 @@ impl GuidanceSheet {
         &self.names
     }
 
-    /// Returns the rectangle around the poses: left, bottom, right, top.
+    /// Returns the rectangle around them: left, bottom, right, top.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }

@@ -37,7 +37,7 @@ pub enum GalleryCategory {
     Higher,
     /// Schemes of links and pairs. They serve to compute mobility and do not move.
     Schemes,
-    /// Tasks of synthesis: poses of a body.
+    /// Tasks of synthesis: poses of a body, paths.
     Tasks,
 }
 
@@ -163,6 +163,12 @@ const POSES: &[(&str, &str)] = others! {
     "poses-five",
 };
 
+/// Paths.
+const PATHS: &[(&str, &str)] = others! {
+    "path-nine",
+    "path-drawn",
+};
+
 /// The names of the linkages of the catalogue, without the mixers.
 pub fn gallery() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|file| file.name)
@@ -184,9 +190,9 @@ pub fn trains() -> impl Iterator<Item = &'static str> {
     TRAINS.iter().map(|(name, _)| *name)
 }
 
-/// The names of the tasks of the catalogue that are poses of a body.
-pub fn poses() -> impl Iterator<Item = &'static str> {
-    POSES.iter().map(|(name, _)| *name)
+/// The names of the tasks of the catalogue: poses of a body, then paths.
+pub fn tasks() -> impl Iterator<Item = &'static str> {
+    POSES.iter().chain(PATHS).map(|(name, _)| *name)
 }
 
 /// The mixers of the catalogue, which come first in it.
@@ -202,7 +208,7 @@ pub fn mixers() -> [Preset; 3] {
 /// # Errors
 /// The problems of a document; a test ensures that there are none.
 pub fn presets() -> impl Iterator<Item = Result<Preset, Vec<Problem>>> {
-    let ids = catalogue().chain(trains()).chain(schemes()).chain(poses());
+    let ids = catalogue().chain(trains()).chain(schemes()).chain(tasks());
     let documents = ids.filter_map(|id| Some((id, document(id)?)));
     documents.map(|(id, document)| {
         let document = document?;
@@ -220,7 +226,7 @@ pub fn shelves() -> impl Iterator<Item = Result<Shelf, Vec<Problem>>> {
         let Preset { id, document } = preset?;
         let other = match document {
             Document::Scheme(_) => Some(GalleryCategory::Schemes),
-            Document::Poses(_) => Some(GalleryCategory::Tasks),
+            Document::Poses(_) | Document::Path(_) => Some(GalleryCategory::Tasks),
             Document::GearTrain(_) => Some(GalleryCategory::Geared),
             Document::Draft(_)
             | Document::Linkage(_)
@@ -265,6 +271,9 @@ pub fn document(name: &str) -> Option<Result<Document, Vec<Problem>>> {
     }
     if let Some((_, text)) = POSES.iter().find(|(one, _)| *one == name) {
         return Some(whole(text).map(Document::Poses));
+    }
+    if let Some((_, text)) = PATHS.iter().find(|(one, _)| *one == name) {
+        return Some(whole(text).map(Document::Path));
     }
     if let Some((id, text)) = TRAINS.iter().find(|(one, _)| *one == name) {
         return Some(whole(text).map(|mut document: GearTrainDocument| {

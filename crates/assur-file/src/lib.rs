@@ -24,7 +24,7 @@ mod view;
 
 pub use catalogue::{
     GalleryCategory, Preset, Shelf, catalogue, document, document_of, from_catalogue, from_text,
-    gallery, mixers, poses, presets, schemes, shelves, trains,
+    gallery, mixers, presets, schemes, shelves, tasks, trains,
 };
 pub use kinds::draft::DraftDocument;
 pub use kinds::gear_train::{
@@ -40,6 +40,7 @@ pub use kinds::linkage::{
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::numbers::NumberField;
+pub use kinds::path::{CourseDocument, PathDocument, PathProblem, PathTask, TracingDocument};
 pub use kinds::poses::{Guidance, HingeDocument, PoseDocument, PosesDocument, PosesProblem};
 pub use kinds::scheme::{EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument};
 pub use kinds::synthesis::function::{FormulaDocument, FunctionDocument, Wanted};

@@ -8,7 +8,8 @@ use assur::{Dimension, Fault, Invalid, Link, Unsolved};
 use serde::Serialize;
 
 use crate::{
-    GearTrainProblem, LessonProblem, LinkageProblem, PictureProblem, PosesProblem, SynthesisProblem,
+    GearTrainProblem, LessonProblem, LinkageProblem, PathProblem, PictureProblem, PosesProblem,
+    SynthesisProblem,
 };
 
 /// The path of a field in the saved form, such as `l1` or `wheels[2].z`.
@@ -74,6 +75,9 @@ pub enum Problem {
     /// A problem of poses of a body.
     #[serde(untagged)]
     Poses(PosesProblem),
+    /// A problem of a path.
+    #[serde(untagged)]
+    Path(PathProblem),
     /// A problem of a scheme of links and pairs.
     #[serde(untagged)]
     Scheme(SchemeDefect),
@@ -106,6 +110,7 @@ of_parts! {
     Linkage(LinkageProblem),
     Synthesis(SynthesisProblem),
     Poses(PosesProblem),
+    Path(PathProblem),
     Scheme(SchemeDefect),
     Cut(CutError),
     Lesson(LessonProblem),

@@ -282,8 +282,8 @@ mod tests {
 
     use super::from_json;
     use crate::{
-        GearTrainDocument, LinkageDocument, PosesDocument, Problem, SchemeDocument,
-        SynthesisDocument, View, catalogue, document, poses, schemes, trains,
+        GearTrainDocument, LinkageDocument, PathDocument, PosesDocument, Problem, SchemeDocument,
+        SynthesisDocument, View, catalogue, document, schemes, tasks, trains,
     };
 
     #[derive(Debug, Deserialize, PartialEq)]
@@ -364,7 +364,7 @@ mod tests {
     #[test]
     fn damaged_documents_have_the_same_faults() {
         let mut dice = Dice::new(0);
-        let names = catalogue().chain(trains()).chain(schemes()).chain(poses());
+        let names = catalogue().chain(trains()).chain(schemes()).chain(tasks());
         let documents = names.map(|name| document(name).unwrap().unwrap());
         let documents: Vec<Value> = documents
             .map(|document| serde_json::to_value(document).unwrap())
@@ -381,6 +381,7 @@ mod tests {
                 agrees::<SchemeDocument>(&document);
                 agrees::<SynthesisDocument>(&document);
                 agrees::<PosesDocument>(&document);
+                agrees::<PathDocument>(&document);
                 agrees::<View>(value.get("view").unwrap_or(&document));
             }
         }

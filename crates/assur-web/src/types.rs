@@ -15,6 +15,8 @@ use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
+use crate::kinds::path::search::{NinePointProgress, PathWork, TracingProgress, TracingWishes};
+use crate::kinds::path::summary::{FoundTracing, PathSummary, PathTaskSummary, TracingVerdict};
 use crate::kinds::poses::summary::{DyadPairSummary, GuidanceVerdict, PosesSummary, TaskSummary};
 use crate::kinds::scheme::summary::SchemeSummary;
 use crate::kinds::synthesis::options::{FamilySummary, FoundSummary};
@@ -33,7 +35,7 @@ use crate::under_load::{CycleHere, RunHere};
 
 const HEAD: &str = "\
 import { Mend } from \"assur/types/edit.js\";
-import { Document, DocumentOf, Frozen, HingeDocument, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, View } from \"assur/types/file.js\";
+import { Document, DocumentOf, Frozen, HingeDocument, KindDocument, LessonDocument, LinkageDocument, Only, PictureDocument, Problem, TracingDocument, View } from \"assur/types/file.js\";
 export type Kind = Document[\"kind\"];
 export type Summary = Summaries[Kind];
 export type State<K extends Kind = Kind> = K extends Kind ? Frozen<DocumentOf<K> & { format: 2, view?: View, lesson?: LessonDocument, compared?: Document, picture?: PictureDocument }> : never;
@@ -41,7 +43,7 @@ export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<
 export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
-export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, path: PathSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 ";
 
 #[test]
@@ -67,6 +69,7 @@ fn the_scripts_know_what_crosses_the_border() {
         SchemeSummary<'static>,
         SynthesisSummary<'static>,
         PosesSummary<'static>,
+        PathSummary<'static>,
     );
     type Synthesis = (
         FamilySummary,
@@ -77,6 +80,15 @@ fn the_scripts_know_what_crosses_the_border() {
         TaskSummary<'static>,
         DyadPairSummary,
         GuidanceVerdict,
+    );
+    type Paths = (
+        PathTaskSummary<'static>,
+        FoundTracing,
+        TracingVerdict,
+        TracingWishes,
+        TracingProgress,
+        NinePointProgress,
+        PathWork,
     );
     type Here = (
         AssembliesHere,
@@ -117,6 +129,7 @@ fn the_scripts_know_what_crosses_the_border() {
         Moving,
         Still,
         Synthesis,
+        Paths,
         Here,
         Forces,
         Shown,

@@ -36,7 +36,7 @@ fn every_mechanism_of_the_catalogue_is_taken() {
     let names = assur_file::catalogue();
     let names = names.chain(assur_file::trains());
     let names = names.chain(assur_file::schemes());
-    let names = names.chain(assur_file::poses());
+    let names = names.chain(assur_file::tasks());
     let names: Vec<&str> = names.collect();
     let all: Array = catalogue().unwrap().unchecked_into();
     assert_eq!(all.length() as usize, names.len());

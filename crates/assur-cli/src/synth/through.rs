@@ -2,9 +2,11 @@
 
 use std::io::Write;
 
-use assur::synthesis::four_bar::{Order, Passage, Verdict};
-use assur::synthesis::path::{CURVES, NinePoints, PathFourBar, Search, Start, StartError};
-use assur::{Point, sorting};
+use assur::Point;
+use assur::synthesis::four_bar::{Passage, Verdict};
+use assur::synthesis::path::{
+    CURVES, NinePoints, PathFourBar, RankedFourBar, Search, Start, StartError,
+};
 use clap::Args;
 use serde_json::{Map, Value, json};
 
@@ -53,48 +55,13 @@ pub(super) fn write(out: &mut impl Write, asked: &OnPath, as_json: bool) -> Resu
     let start = start.map_err(|error: StartError| Failure::Io(words::start_error(error)))?;
     let mut search = Search::new(points);
     search.run(&start, |_| true);
-    let found = ranked(&search);
+    let found = search.ranked();
     if as_json {
         writeln!(out, "{:#}", report(asked, &search, &found))?;
     } else {
         table(out, &search, &found)?;
     }
     Ok(())
-}
-
-/// A four-bar, the number of its curve and a bound on the relative error of its coordinates.
-struct Found {
-    four_bar: PathFourBar,
-    curve: usize,
-    error: f64,
-}
-
-/// The four-bars, those that pass through all points in one motion and in order first, then by their transmission angle.
-fn ranked(search: &Search) -> Vec<Found> {
-    let mut found = Vec::new();
-    for (curve, cognates) in (1..).zip(search.real()) {
-        found.extend(cognates.four_bars.map(|four_bar| Found {
-            four_bar,
-            curve,
-            error: cognates.error,
-        }));
-    }
-    let merit = |found: &Found| {
-        let verdict = found.four_bar.verdict.as_ref().ok();
-        verdict.map_or((0, 0.0), |verdict| {
-            let in_order = verdict.order != Order::Mixed;
-            let met = u8::from(is_on_one_branch(verdict)) + u8::from(in_order);
-            (
-                met,
-                verdict.transmission_between.unwrap_or(verdict.transmission),
-            )
-        })
-    };
-    sorting::sort_by(&mut found, |a, b| {
-        let ((met, angle), (other_met, other_angle)) = (merit(a), merit(b));
-        other_met.cmp(&met).then(other_angle.total_cmp(&angle))
-    });
-    found
 }
 
 fn is_on_one_circuit(verdict: &Verdict) -> bool {
@@ -108,7 +75,7 @@ fn is_on_one_branch(verdict: &Verdict) -> bool {
     verdict.passage == Passage::Continuous
 }
 
-fn report(asked: &OnPath, search: &Search, found: &[Found]) -> Value {
+fn report(asked: &OnPath, search: &Search, found: &[RankedFourBar]) -> Value {
     let solutions = found.iter().map(|found| {
         let spec = found.four_bar.spec();
         let mut points = Map::new();
@@ -164,7 +131,7 @@ fn verdict(four_bar: &PathFourBar) -> Value {
 }
 
 /// Writes a line for each four-bar, best first.
-fn table(out: &mut impl Write, search: &Search, found: &[Found]) -> Result<(), Failure> {
+fn table(out: &mut impl Write, search: &Search, found: &[RankedFourBar]) -> Result<(), Failure> {
     let number = |value: f64| words::value(&json!(value));
     let place = |point: Point| format!("{}, {}", number(point.x), number(point.y));
     writeln!(

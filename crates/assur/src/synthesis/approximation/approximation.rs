@@ -9,7 +9,7 @@ use super::target::Target;
 use crate::linkage::LinkageSpec;
 use crate::numeric::angle::nearest_to;
 use crate::synthesis::cognates::{CouplerFourBar, CouplerSliderCrank};
-use crate::synthesis::four_bar::{Frame, Order, Position, Solution, Task, Verdict};
+use crate::synthesis::four_bar::{Frame, Order, Position, Proportions, Solution, Task, Verdict};
 use crate::{Point, Vector};
 
 /// A four-bar or a slider-crank with the point that traces the path, in the pose at a place of the path.
@@ -19,6 +19,16 @@ pub enum Tracing {
     FourBar(CouplerFourBar),
     /// A slider-crank.
     SliderCrank(CouplerSliderCrank),
+}
+
+impl Tracing {
+    /// Specification of the linkage as a mechanism; its traced point is P.
+    pub fn spec(&self) -> LinkageSpec {
+        match self {
+            Self::FourBar(linkage) => linkage.spec(),
+            Self::SliderCrank(linkage) => linkage.spec(),
+        }
+    }
 }
 
 /// Properties of a linkage that approximates a path.
@@ -94,29 +104,16 @@ impl Approximation {
                 [a - a0, end - b]
             })
             .collect();
-        let mut inputs: Vec<f64> = Vec::with_capacity(bars.len());
-        for [crank, _] in &bars {
-            let angle = crank.y.atan2(crank.x);
-            let near = inputs.last().copied().unwrap_or(angle);
-            inputs.push(nearest_to(angle, near));
-        }
+        let inputs = crank_angles(&bars);
         Some(Self {
             linkage,
             deviation: deviation.times(target.size()),
-            verdict: verdict(&linkage, fitted, &bars, &inputs),
+            verdict: PathVerdict::new(&linkage, &bars, &inputs),
             inputs,
             fitted: fitted.clone(),
             part: part(fitted, target),
             places,
         })
-    }
-
-    /// Specification of the linkage as a mechanism; its traced point is P.
-    pub fn spec(&self) -> LinkageSpec {
-        match &self.linkage {
-            Tracing::FourBar(linkage) => linkage.spec(),
-            Tracing::SliderCrank(linkage) => linkage.spec(),
-        }
     }
 
     /// Places of the curve at equal intervals of the motion: of the whole curve, whose end is its beginning.
@@ -167,52 +164,68 @@ fn drawn(fitted: &Fitted) -> f64 {
     first.or_else(best).copied().unwrap_or(0.0)
 }
 
-fn verdict(
-    linkage: &Tracing,
-    fitted: &Fitted,
-    bars: &[[Vector; 2]],
-    inputs: &[f64],
-) -> Option<PathVerdict> {
-    match linkage {
-        Tracing::FourBar(linkage) => {
-            let count = bars.len().min(JUDGED);
-            let chosen = (0..count).map(|k| k * (bars.len() - 1) / (count.max(2) - 1));
-            let mut positions: Vec<Position> = Vec::new();
-            for k in chosen {
-                let output = bars[k][1];
-                let position = Position::new(output.y.atan2(output.x), inputs[k]);
-                // Corners of the path share a foot.
-                let same = |last: &Position| (last.input - position.input).abs() < 1e-9;
-                if !positions.last().is_some_and(same) {
-                    positions.push(position);
+impl PathVerdict {
+    /// The verdict on a linkage with these bars, crank and rocker, at places of a path, and these continuous angles of
+    /// the crank. None if all places are met at one angle.
+    pub(super) fn new(linkage: &Tracing, bars: &[[Vector; 2]], inputs: &[f64]) -> Option<Self> {
+        match linkage {
+            Tracing::FourBar(linkage) => {
+                let count = bars.len().min(JUDGED);
+                let chosen = (0..count).map(|k| k * (bars.len() - 1) / (count.max(2) - 1));
+                let mut positions: Vec<Position> = Vec::new();
+                for k in chosen {
+                    let output = bars[k][1];
+                    let position = Position::new(output.y.atan2(output.x), inputs[k]);
+                    // Corners of the path share a foot.
+                    let same = |last: &Position| (last.input - position.input).abs() < 1e-9;
+                    if !positions.last().is_some_and(same) {
+                        positions.push(position);
+                    }
                 }
+                let [a, d] = linkage.pivots();
+                let frame = Frame {
+                    length: (d - a).norm(),
+                    angle: (d - a).y.atan2((d - a).x),
+                };
+                let task = Task::new(frame, &positions, Task::RATIOS).ok()?;
+                let [input, coupler, output, frame] = linkage.lengths();
+                let proportions = Proportions {
+                    coupler: coupler / frame,
+                    output: output / frame,
+                    input: input / frame,
+                };
+                let solution = Solution::new(&task, proportions);
+                solution.verdict.ok().map(Self::FourBar)
             }
-            let [a, d] = linkage.pivots();
-            let frame = Frame {
-                length: (d - a).norm(),
-                angle: (d - a).y.atan2((d - a).x),
-            };
-            let task = Task::new(frame, &positions, Task::RATIOS).ok()?;
-            let solution = Solution::new(&task, fitted.curve.proportions()?);
-            solution.verdict.ok().map(PathVerdict::FourBar)
-        }
-        Tracing::SliderCrank(linkage) => {
-            let [crank, rod, offset] = linkage.lengths();
-            let steps = inputs.windows(2).map(|pair| pair[1] - pair[0]);
-            let [growing, falling] = steps.fold([true; 2], |[growing, falling], step| {
-                [growing && step >= 0.0, falling && step <= 0.0]
-            });
-            let order = match (growing, falling) {
-                (true, true) => Order::Either,
-                (true, false) => Order::Growing,
-                (false, true) => Order::Falling,
-                (false, false) => Order::Mixed,
-            };
-            Some(PathVerdict::SliderCrank {
-                order,
-                transmission: ((crank + offset.abs()) / rod).min(1.0).acos(),
-                size_ratio: crank.max(rod) / crank.min(rod),
-            })
+            Tracing::SliderCrank(linkage) => {
+                let [crank, rod, offset] = linkage.lengths();
+                let steps = inputs.windows(2).map(|pair| pair[1] - pair[0]);
+                let [growing, falling] = steps.fold([true; 2], |[growing, falling], step| {
+                    [growing && step >= 0.0, falling && step <= 0.0]
+                });
+                let order = match (growing, falling) {
+                    (true, true) => Order::Either,
+                    (true, false) => Order::Growing,
+                    (false, true) => Order::Falling,
+                    (false, false) => Order::Mixed,
+                };
+                Some(Self::SliderCrank {
+                    order,
+                    transmission: ((crank + offset.abs()) / rod).min(1.0).acos(),
+                    size_ratio: crank.max(rod) / crank.min(rod),
+                })
+            }
         }
     }
+}
+
+/// Angles of the first of each pair of bars from the x-axis, continuous.
+pub(super) fn crank_angles(bars: &[[Vector; 2]]) -> Vec<f64> {
+    let mut angles: Vec<f64> = Vec::with_capacity(bars.len());
+    for [crank, _] in bars {
+        let angle = crank.y.atan2(crank.x);
+        let near = angles.last().copied().unwrap_or(angle);
+        angles.push(nearest_to(angle, near));
+    }
+    angles
 }

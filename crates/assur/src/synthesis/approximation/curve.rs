@@ -8,8 +8,6 @@
 
 use nalgebra::Complex;
 
-use crate::synthesis::four_bar::Proportions;
-
 /// A kind of linkage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -231,16 +229,6 @@ impl Curve {
     pub(super) fn longest(&self) -> f64 {
         let [x, y, z] = self.sizes;
         x.max(y.abs()).max(z).max(1.0)
-    }
-
-    /// z₁, z₂, z₃ of a four-bar; None for a slider-crank.
-    pub(super) fn proportions(&self) -> Option<Proportions> {
-        let [coupler, output, frame] = self.sizes;
-        (self.kind == Kind::FourBar).then(|| Proportions {
-            coupler: coupler / frame,
-            output: output / frame,
-            input: 1.0 / frame,
-        })
     }
 }
 

@@ -49,6 +49,15 @@ impl Deviation {
             let (_, foot) = fitted.foot(*wanted, tau(k), STEPS);
             distances.push(foot.min(square.sqrt()));
         }
+        Self::both_ways(distances, &curve, target)
+    }
+
+    /// The deviation with the distances of the path's points, and of places of the traced curve from a drawn path.
+    pub(super) fn both_ways(
+        mut distances: Vec<f64>,
+        curve: &[Complex<f64>],
+        target: &Target,
+    ) -> Self {
         if target.course() != Course::Points {
             let path: Vec<Segment> = target.segments().map(Segment::new).collect();
             let to_path = |place: &Complex<f64>| {

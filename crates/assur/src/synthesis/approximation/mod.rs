@@ -16,6 +16,7 @@
 //! | `distance` | distances between path and curve |
 //! | `search` | the search, step by step |
 //! | `approximation` | a result, as a linkage with its verdict |
+//! | `traced` | a given linkage beside a path |
 //! | `atlas` | curves over a plane of two ratios of lengths |
 
 #[expect(
@@ -33,6 +34,7 @@ mod fitted;
 mod search;
 mod special;
 mod target;
+mod traced;
 
 pub use approximation::{Approximation, PathVerdict, Tracing};
 pub use atlas::{Atlas, AtlasError, Axis, Cell, Ratio};
@@ -41,3 +43,4 @@ pub use distance::Deviation;
 pub use search::{Norm, Progress, Search, Wanted};
 pub use special::Special;
 pub use target::{Course, Target, TargetError};
+pub use traced::Traced;

@@ -173,6 +173,11 @@ impl Target {
         )
     }
 
+    /// A place of the plane in units of the size, from the centre.
+    pub(super) fn scaled(&self, at: Point) -> Complex<f64> {
+        Complex::new(at.x - self.centre.x, at.y - self.centre.y) / self.size
+    }
+
     /// Segments of the outline, with the closing one.
     pub(super) fn segments(&self) -> impl Iterator<Item = [Complex<f64>; 2]> + '_ {
         let open = self.outline.windows(2).map(|pair| [pair[0], pair[1]]);

@@ -8,7 +8,8 @@ use super::search::{Curve, Search};
 use super::task::{NinePoints, POINTS};
 use super::{C, ONE};
 use crate::mechanism::{LinkageSpec, PointSpec};
-use crate::synthesis::four_bar::{Direction, Passage, Proportions, Verdict, verdict};
+use crate::sorting::sort_by;
+use crate::synthesis::four_bar::{Direction, Order, Passage, Proportions, Verdict, verdict};
 use crate::{Invalid, Point, Vector};
 
 /// A four-bar whose coupler point P passes through the points of a task.
@@ -37,7 +38,45 @@ pub struct Cognates {
     pub error: f64,
 }
 
+/// One of the real four-bars through nine points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RankedFourBar {
+    /// The four-bar.
+    pub four_bar: PathFourBar,
+    /// Number of its curve, from 1; its cognates share it.
+    pub curve: usize,
+    /// Relative bound on the distance between the computed coordinates and the exact ones: proved.
+    pub error: f64,
+}
+
 impl Search {
+    /// The real four-bars found and proved so far: those that pass through all points in one motion and in order first,
+    /// then by their least transmission angle between the points.
+    pub fn ranked(&self) -> Vec<RankedFourBar> {
+        let mut found = Vec::new();
+        for (curve, cognates) in (1..).zip(self.real()) {
+            found.extend(cognates.four_bars.map(|four_bar| RankedFourBar {
+                four_bar,
+                curve,
+                error: cognates.error,
+            }));
+        }
+        let merit = |found: &RankedFourBar| {
+            let verdict = found.four_bar.verdict.as_ref().ok();
+            verdict.map_or((0, 0.0), |verdict| {
+                let is_met = verdict.passage == Passage::Continuous;
+                let met = u8::from(is_met) + u8::from(verdict.order != Order::Mixed);
+                let angle = verdict.transmission_between;
+                (met, angle.unwrap_or(verdict.transmission))
+            })
+        };
+        sort_by(&mut found, |a, b| {
+            let ((met, angle), (other_met, other_angle)) = (merit(a), merit(b));
+            other_met.cmp(&met).then(other_angle.total_cmp(&angle))
+        });
+        found
+    }
+
     /// The real four-bars found and proved so far, by their curves.
     pub fn real(&self) -> Vec<Cognates> {
         let real = |curve: &Curve| {

@@ -31,7 +31,7 @@ mod task;
 mod tracker;
 mod wide;
 
-pub use linkage::{Cognates, PathFourBar};
+pub use linkage::{Cognates, PathFourBar, RankedFourBar};
 pub use search::{End, Homotopy, Search, Work};
 pub use start::{Start, StartError, checksum};
 pub use task::{NinePoints, POINTS, PathError};

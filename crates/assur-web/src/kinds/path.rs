@@ -1,0 +1,201 @@
+//! A path on the page, with a linkage whose point traces it.
+
+pub(crate) mod search;
+pub(crate) mod summary;
+
+use assur::Point;
+use assur::mechanism::Quantity;
+use assur::synthesis::approximation::{Course, Traced};
+use assur_draw::{Annotations, Guidance, GuidanceSheet, Role};
+use assur_file::{Document, LinkageProblem, Moved, PathDocument, PathTask, Problem, State};
+use serde_json::json;
+use wasm_bindgen::prelude::JsValue;
+
+use crate::capabilities::{Capabilities, Edited, Rigid, unknown};
+use crate::change::Change;
+use crate::convert::to_js;
+use crate::handle::{Handle, HandlePlace};
+use crate::here::Here;
+use crate::moving::Moving;
+use summary::PathSummary;
+
+/// Greatest number of points that can be dragged one by one.
+const MOST_HANDLES: usize = 24;
+
+/// Distance of a point from the traced curve, as a part of the path's size, up to which the point is met.
+const MET: f64 = 1e-6;
+
+/// Number of steps of a dragged point in the size of the path.
+const STEPS: f64 = 500.0;
+
+pub(crate) struct Path {
+    document: PathDocument,
+    task: PathTask,
+    /// The shown linkage; none if no linkage traces the path.
+    shown: Option<Shown>,
+    /// The path alone.
+    sheet: GuidanceSheet,
+    /// Handles of the points.
+    held: Vec<Handle>,
+}
+
+/// The linkage that is shown.
+struct Shown {
+    /// As a document for the simulator.
+    linkage: Document,
+    moving: Moving,
+    traced: Traced,
+}
+
+impl Path {
+    #[inline(never)]
+    pub(crate) fn new(state: &State, document: &PathDocument) -> Result<Self, Vec<Problem>> {
+        state.check()?;
+        let task = document.task()?;
+        let shown = Shown::new(state, document, &task)?;
+        let sheet = GuidanceSheet::new(&drawing(&task, &[]), state.view.symbol);
+        Ok(Self {
+            held: held(&task).collect(),
+            document: document.clone(),
+            task,
+            shown,
+            sheet,
+        })
+    }
+}
+
+/// The path as it is drawn. `distances` are those of its points from the traced curve.
+fn drawing(task: &PathTask, distances: &[f64]) -> Guidance {
+    let points = task.target.points();
+    let mut path = Vec::new();
+    if task.target.course() != Course::Points {
+        path.extend(points);
+        if task.target.course() == Course::Closed {
+            path.extend(points.first());
+        }
+    }
+    let within = MET * task.target.size();
+    let marks = points.iter().take(if points.len() > MOST_HANDLES {
+        0
+    } else {
+        MOST_HANDLES
+    });
+    let marks = marks.enumerate().map(|(k, at)| {
+        let number = match task.target.course() {
+            Course::Points => (k + 1).to_string(),
+            Course::Open | Course::Closed => String::new(),
+        };
+        let is_met = distances.get(k).is_some_and(|distance| *distance <= within);
+        (number, *at, is_met)
+    });
+    Guidance {
+        marks: marks.collect(),
+        path,
+        ..Guidance::default()
+    }
+}
+
+/// Handles of the points, unless there are too many.
+fn held(task: &PathTask) -> impl Iterator<Item = Handle> + '_ {
+    let points = task.target.points();
+    let most = if points.len() > MOST_HANDLES {
+        0
+    } else {
+        MOST_HANDLES
+    };
+    points.iter().take(most).enumerate().map(|(k, at)| Handle {
+        name: format!("point{}", k + 1),
+        role: Role::Accent2.name(),
+        at: HandlePlace::Fixed(*at),
+    })
+}
+
+impl Shown {
+    fn new(
+        state: &State,
+        document: &PathDocument,
+        task: &PathTask,
+    ) -> Result<Option<Self>, Vec<Problem>> {
+        let Some(tracing) = &task.shown else {
+            return Ok(None);
+        };
+        let mut linkage = task.linkage()?;
+        linkage.unit = document.unit;
+        let moved = Moved::new(linkage.clone(), &state.view.plot)?;
+        let Some(traced) = Traced::new(tracing, &moved.motion, &task.target) else {
+            return Ok(None);
+        };
+        let roles = [
+            ("crank", Role::Crank),
+            ("coupler", Role::Coupler),
+            ("rod", Role::Coupler),
+            ("rocker", Role::Rocker),
+        ];
+        let annotations = Annotations {
+            roles: roles.map(|(link, role)| (link.to_owned(), role)).to_vec(),
+            guidance: drawing(task, &traced.distances),
+            ..Annotations::of_linkage(None)
+        };
+        let quantities = Quantity::all(moved.motion.mechanism());
+        let explain =
+            |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
+        let moving = Moving::new(
+            &state.view,
+            moved,
+            annotations,
+            quantities,
+            Box::new(explain),
+        )?;
+        Ok(Some(Self {
+            linkage: Document::Linkage(linkage),
+            moving: moving.held_by(held(task)),
+            traced,
+        }))
+    }
+}
+
+impl Capabilities for Path {
+    fn summary(&self) -> JsValue {
+        to_js(&PathSummary::new(self))
+    }
+
+    fn rigid(&self) -> Rigid<'_> {
+        match &self.shown {
+            Some(shown) => shown.moving.figure().into(),
+            None => Rigid {
+                names: self.sheet.names(),
+                list: &[],
+            },
+        }
+    }
+
+    fn still(&self, _opened: f64) -> Here {
+        let points = self.task.target.points().iter().copied();
+        Here::still(self.sheet.frame(), points.take(self.held.len()))
+    }
+
+    fn linkage(&self) -> Option<&Moving> {
+        self.shown.as_ref().map(|shown| &shown.moving)
+    }
+
+    fn edited(&self) -> Option<&dyn Edited> {
+        Some(self)
+    }
+}
+
+impl Edited for Path {
+    fn drag(&self, point: &str, input: f64, to: Point) -> Result<Change, Problem> {
+        if let Some(moving) = self.linkage()
+            && let Some(driven) = moving.mechanism().point(point)
+        {
+            let to = moving.driven_to(driven, input, to);
+            return to.unwrap_or_else(|| Err(unknown(point))).map(Change::input);
+        }
+        let number = self.held.iter().position(|handle| handle.name == point);
+        let number = number.ok_or_else(|| unknown(point))?;
+        let mut points = self.document.points.clone();
+        let steps = 10.0_f64.powf((STEPS / self.task.target.size()).log10().ceil());
+        points[number] = [to.x, to.y].map(|value| (value * steps).round() / steps);
+        Ok(Change::document(&json!({ "points": points })))
+    }
+}

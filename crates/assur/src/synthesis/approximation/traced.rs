@@ -1,0 +1,293 @@
+//! A given linkage beside a path: the places of its motion nearest to the points of the path.
+
+use nalgebra::Complex;
+
+use super::approximation::{PathVerdict, Tracing, crank_angles};
+use super::distance::Deviation;
+use super::target::{Course, Target};
+use crate::angle::nearest_to;
+use crate::mechanism::{PointId, Pose};
+use crate::motion::{Motion, Sampling, Shown, Spacing};
+use crate::sorting::extremes;
+use crate::tolerance;
+use crate::{Point, Vector};
+
+/// How a linkage traces a path.
+#[derive(Clone, Debug)]
+pub struct Traced {
+    /// Inputs of the motion at which the traced point is nearest to the points of the path.
+    pub inputs: Vec<f64>,
+    /// Distances of the points of the path from the traced curve, in the unit of the path.
+    pub distances: Vec<f64>,
+    /// Distances between path and curve.
+    pub deviation: Deviation,
+    /// Order, circuit, branch, Grashof type and transmission; None if the points are met at equal angles.
+    pub verdict: Option<PathVerdict>,
+}
+
+/// Samples of a turn of the motion.
+const SAMPLES: usize = 360;
+/// Maximum number of samples of a motion.
+const MOST: usize = 1440;
+/// Steps from a sample to a foot.
+const STEPS: usize = 8;
+/// Distances that differ by less, in units of the size, are equal: the curve meets itself there.
+const EQUAL: f64 = tolerance::COINCIDENT;
+
+impl Traced {
+    /// A moving linkage beside a path. The motion must be that of [`Tracing::spec`]. None if it has no place.
+    pub fn new(linkage: &Tracing, motion: &Motion, target: &Target) -> Option<Self> {
+        let point = motion.mechanism().point("P")?;
+        let curve = Curve::new(motion, point, target)?;
+        let mut inputs: Vec<f64> = Vec::new();
+        let mut distances = Vec::new();
+        for wanted in target.points() {
+            let near = inputs.last().copied();
+            let (input, distance) = curve.foot(target.scaled(*wanted), near)?;
+            inputs.push(input);
+            distances.push(distance);
+        }
+        let places = curve.between(&inputs, target.course());
+        let deviation = Deviation::both_ways(distances.clone(), &places, target);
+        let bars: Option<Vec<[Vector; 2]>> = (inputs.iter())
+            .map(|input| bars(linkage, motion, *input))
+            .collect();
+        let verdict = bars.and_then(|bars| {
+            let angles = crank_angles(&bars);
+            PathVerdict::new(linkage, &bars, &angles)
+        });
+        Some(Self {
+            inputs,
+            distances: (distances.iter()).map(|off| off * target.size()).collect(),
+            deviation: deviation.times(target.size()),
+            verdict,
+        })
+    }
+}
+
+/// The traced curve at samples of the motion, in units of the path's size.
+struct Curve<'a> {
+    motion: &'a Motion,
+    point: PointId,
+    target: &'a Target,
+    pieces: Vec<Vec<(f64, Complex<f64>)>>,
+}
+
+impl<'a> Curve<'a> {
+    fn new(motion: &'a Motion, point: PointId, target: &'a Target) -> Option<Self> {
+        let sampling = Sampling {
+            turn: SAMPLES,
+            coarsest: SAMPLES,
+            most: MOST,
+            spacing: Spacing::Crowded,
+            shown: Shown::First,
+        };
+        let mut curve = Self {
+            motion,
+            point,
+            target,
+            pieces: Vec::new(),
+        };
+        let pieces = motion.samples(sampling).into_iter();
+        let pieces = pieces.map(|inputs| {
+            let places = inputs.into_iter();
+            let places = places.filter_map(|input| Some((input, curve.place(input)?)));
+            places.collect::<Vec<_>>()
+        });
+        curve.pieces = pieces.filter(|piece| piece.len() > 2).collect();
+        (!curve.pieces.is_empty()).then_some(curve)
+    }
+
+    fn place(&self, input: f64) -> Option<Complex<f64>> {
+        let pose: Pose<1> = self.motion.pose(input).ok()?;
+        let at = self.motion.mechanism().place(&pose, self.point).place();
+        Some(self.target.scaled(at))
+    }
+
+    /// The input at which the curve is nearest to a place, and the distance. Of equally near places of points of a
+    /// path it is the one nearest to the input before.
+    fn foot(&self, wanted: Complex<f64>, near: Option<f64>) -> Option<(f64, f64)> {
+        let mut feet: Vec<(f64, f64)> = Vec::new();
+        let mut least = f64::INFINITY;
+        for piece in &self.pieces {
+            let off = |k: usize| (piece[k].1 - wanted).norm();
+            let last = piece.len() - 1;
+            for k in 0..=last {
+                let here = off(k);
+                let is_least = (k == 0 || here <= off(k - 1)) && (k == last || here <= off(k + 1));
+                // Farther minima are no candidates unless the curve passes between two samples.
+                let side = (piece[k.min(last - 1) + 1].1 - piece[k.min(last - 1)].1).norm();
+                if is_least && here <= least + 2.0 * side {
+                    least = least.min(here);
+                    feet.push(self.refined(wanted, piece, k));
+                }
+            }
+        }
+        let least = feet.iter().map(|foot| foot.1).fold(f64::INFINITY, f64::min);
+        feet.retain(|foot| foot.1 <= least + EQUAL);
+        let period = self.motion.cycle().period();
+        let far = |input: f64| match (near, period) {
+            (Some(near), Some(_)) => (nearest_to(input, near) - near).abs(),
+            (Some(near), None) => (input - near).abs(),
+            (None, _) => 0.0,
+        };
+        feet.into_iter()
+            .min_by(|a, b| far(a.0).total_cmp(&far(b.0)))
+    }
+
+    /// The foot near a sample, between its neighbours.
+    fn refined(&self, wanted: Complex<f64>, piece: &[(f64, Complex<f64>)], k: usize) -> (f64, f64) {
+        let low = piece[k.saturating_sub(1)].0;
+        let high = piece[(k + 1).min(piece.len() - 1)].0;
+        let mut best = (piece[k].0, (piece[k].1 - wanted).norm());
+        for _ in 0..STEPS {
+            let Ok(pose) = self.motion.pose::<2>(best.0) else {
+                break;
+            };
+            let here = self.motion.mechanism().place(&pose, self.point);
+            let tangent: Vector = here.derivative(1) / self.target.size();
+            let off = self.target.scaled(here.place()) - wanted;
+            let step = (off.re * tangent.x + off.im * tangent.y) / tangent.norm_squared();
+            let next = (best.0 - step).clamp(low, high);
+            let Some(place) = step.is_finite().then(|| self.place(next)).flatten() else {
+                break;
+            };
+            let distance = (place - wanted).norm();
+            if distance >= best.1 {
+                break;
+            }
+            best = (next, distance);
+        }
+        best
+    }
+
+    /// Places of the curve along the part of the motion from the first foot to the last.
+    fn between(&self, inputs: &[f64], course: Course) -> Vec<Complex<f64>> {
+        let all = || self.pieces.iter().flatten();
+        let part = match self.motion.cycle().period() {
+            _ if course == Course::Closed => None,
+            Some(period) => {
+                let mut unwrapped: Vec<f64> = Vec::new();
+                for input in inputs {
+                    let near = unwrapped.last().copied().unwrap_or(*input);
+                    unwrapped.push(nearest_to(*input, near));
+                }
+                let [from, to] = extremes(unwrapped.into_iter());
+                (to - from < period).then_some((from, to, period))
+            }
+            None => {
+                let [from, to] = extremes(inputs.iter().copied());
+                Some((from, to, f64::INFINITY))
+            }
+        };
+        let Some((from, to, period)) = part else {
+            return all().map(|(_, place)| *place).collect();
+        };
+        let turned = |input: f64| {
+            if period.is_finite() {
+                from + (input - from).rem_euclid(period)
+            } else {
+                input
+            }
+        };
+        let within = |input: f64| (from..=to).contains(&turned(input));
+        let places = all().filter(|(input, _)| within(*input));
+        places.map(|(_, place)| *place).collect()
+    }
+}
+
+/// Crank and rocker at an input; the rocker of a slider-crank is the direction of its guide.
+fn bars(linkage: &Tracing, motion: &Motion, input: f64) -> Option<[Vector; 2]> {
+    let pose: Pose<1> = motion.pose(input).ok()?;
+    let mechanism = motion.mechanism();
+    let place = |name: &str| -> Option<Point> {
+        let point = mechanism.point(name)?;
+        Some(mechanism.place(&pose, point).place())
+    };
+    let crank = place("B")? - place("A")?;
+    let other = match linkage {
+        Tracing::FourBar(_) => place("C")? - place("D")?,
+        Tracing::SliderCrank(linkage) => linkage.guide(),
+    };
+    Some([crank, other])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::synthesis::cognates::CouplerFourBar;
+
+    /// Crank 2, coupler 5, rocker 4, frame 5, with P at a distance from the coupler.
+    fn four_bar() -> (Tracing, Motion) {
+        let at = |x: f64, y: f64| Point::new(x, y);
+        let b = at(0.0, 2.0);
+        let c = {
+            // C is 5 from B and 4 from D.
+            let d = at(5.0, 0.0);
+            let (arm, span) = (d - b, (d - b).norm());
+            let along = (25.0 - 16.0 + span * span) / (2.0 * span);
+            let across = (25.0 - along * along).sqrt();
+            let unit = arm / span;
+            b + unit * along + Vector::new(-unit.y, unit.x) * across
+        };
+        let linkage = CouplerFourBar::new([at(0.0, 0.0), at(5.0, 0.0)], [b, c], at(1.0, 5.0));
+        let linkage = Tracing::FourBar(linkage.unwrap());
+        let motion = Motion::new(Mechanism::new(&linkage.spec()).unwrap());
+        (linkage, motion)
+    }
+
+    fn place(motion: &Motion, input: f64) -> Point {
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<1>(input).unwrap();
+        mechanism
+            .place(&pose, mechanism.point("P").unwrap())
+            .place()
+    }
+
+    #[test]
+    fn feet_of_points_on_the_curve_are_their_inputs() {
+        let (linkage, motion) = four_bar();
+        let wanted = [0.1, 0.9, 1.7, 2.2, 3.3, 4.4, 5.5];
+        let points = wanted.map(|input| place(&motion, input));
+        let target = Target::new(&points, Course::Points, None).unwrap();
+        let traced = Traced::new(&linkage, &motion, &target).unwrap();
+        for (input, expected) in traced.inputs.iter().zip(wanted) {
+            let off = nearest_to(*input, expected) - expected;
+            assert!(off.abs() < 1e-7, "{input}, not {expected}");
+        }
+        assert!(traced.deviation.greatest < 1e-12, "{:?}", traced.deviation);
+        let Some(PathVerdict::FourBar(verdict)) = traced.verdict else {
+            panic!("{:?}", traced.verdict);
+        };
+        assert_eq!(verdict.order, crate::synthesis::four_bar::Order::Growing);
+    }
+
+    /// A closed polyline of the curve itself, and the same moved by a tenth.
+    #[test]
+    fn a_drawn_curve_is_compared_both_ways() {
+        let (linkage, motion) = four_bar();
+        let along = |k: usize| place(&motion, f64::from(k as u32) * std::f64::consts::TAU / 200.0);
+        for moved in [0.0, 0.1] {
+            let points: Vec<Point> = (0..200)
+                .map(|k| along(k) + Vector::new(moved, 0.0))
+                .collect();
+            let target = Target::new(&points, Course::Closed, None).unwrap();
+            let traced = Traced::new(&linkage, &motion, &target).unwrap();
+            let off = traced.deviation.greatest - moved;
+            assert!(off.abs() < 2e-3, "{moved}: {:?}", traced.deviation);
+        }
+    }
+
+    /// Half of the curve: the other half does not count.
+    #[test]
+    fn only_the_traced_part_counts() {
+        let (linkage, motion) = four_bar();
+        let points: Vec<Point> = (0..100)
+            .map(|k| place(&motion, 5.0 + 0.03 * f64::from(k)))
+            .collect();
+        let target = Target::new(&points, Course::Open, None).unwrap();
+        let traced = Traced::new(&linkage, &motion, &target).unwrap();
+        assert!(traced.deviation.greatest < 2e-3, "{:?}", traced.deviation);
+    }
+}
