@@ -128,7 +128,7 @@ export class CardList {
     }, ["×"]);
     const drop = without ?? ((_, document) => this.#with(document, (entries) => entries.filter((_, at) => at !== index)));
     const put = (/** @type {Partial<E>} */ change) => this.#edit((document) => (
-      this.#with(document, (entries) => entries.map((entry, at) => (at === index ? { ...entry, ...change } : entry)))
+      this.#with(document, (entries) => entries.map((entry, at) => (at === index ? merged(entry, change) : entry)))
     ));
     const { lines, show } = build(index, put, this.#drafts, remove);
     return { element: make("div", { class: "card" }, lines), remove, show };
@@ -158,4 +158,14 @@ export class CardList {
   #edit(change) {
     this.#store.update((state) => edited(state, this.#kind.kind, change));
   }
+}
+
+/**
+ * @template E
+ * @param {E} entry
+ * @param {Partial<E>} change an entry that is a list is changed as a whole
+ * @returns {E}
+ */
+function merged(entry, change) {
+  return /** @type {E} */ (Array.isArray(change) ? change : { ...entry, ...change });
 }

@@ -171,17 +171,13 @@ impl CouplerFourBar {
     /// relative to the crank. Otherwise it is the crank.
     pub fn spec(&self) -> LinkageSpec {
         let ([a, d], [b, c]) = (self.pivots, self.joints);
-        let [along, across] = on_bar(self.joints, self.point);
         let mut spec = LinkageSpec::default();
         for (name, at) in [("A", a), ("B", b), ("C", c), ("D", d)] {
             spec = spec.point(name, at.x, at.y);
         }
-        spec = spec
-            .fixed(&["A", "D"])
-            .bar("crank", &["A", "B"])
-            .bar("coupler", &["B", "C"])
-            .bar("rocker", &["D", "C"])
-            .tracer("P", "coupler", along, across);
+        spec = spec.fixed(&["A", "D"]).bar("crank", &["A", "B"]);
+        spec = with_traced(spec, "coupler", self.joints, self.point);
+        spec = spec.bar("rocker", &["D", "C"]);
         match self.grashof() {
             Ok(Grashof::RockerCrank) => spec.crank("rocker"),
             Ok(Grashof::DoubleRocker) => {
@@ -195,6 +191,23 @@ impl CouplerFourBar {
             _ => spec.crank("crank"),
         }
     }
+}
+
+/// Nearest place of a traced point to a joint, as a part of its bar, at which it is still a point of the link.
+const AT_JOINT: f64 = 1e-6;
+
+/// Adds a link with the joints B and C and the traced point P, which at a joint is a tracer.
+fn with_traced(mut spec: LinkageSpec, link: &str, joints: [Point; 2], point: Point) -> LinkageSpec {
+    let length = (joints[1] - joints[0]).norm();
+    if joints
+        .iter()
+        .all(|at| (point - at).norm() > AT_JOINT * length)
+    {
+        spec = spec.point("P", point.x, point.y);
+        return spec.bar(link, &["B", "C", "P"]);
+    }
+    let [along, across] = on_bar(joints, point);
+    spec.bar(link, &["B", "C"]).tracer("P", link, along, across)
 }
 
 /// Coordinates of a point on a bar: along the bar from its first joint, and to the left.

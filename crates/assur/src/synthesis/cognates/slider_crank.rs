@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::{NoCognate, check_finite, complex, on_bar, turned};
+use super::{NoCognate, check_finite, complex, turned, with_traced};
 use crate::linkage::LinkageSpec;
 use crate::tolerance::COINCIDENT;
 use crate::{Point, Vector, perpendicular};
@@ -119,7 +119,6 @@ impl CouplerSliderCrank {
     pub fn spec(&self) -> LinkageSpec {
         let (a, [b, c]) = (self.pivot, self.joints);
         let [crank, rod, offset] = self.lengths();
-        let [along, across] = on_bar(self.joints, self.point);
         let reach = self.guide * (crank + rod);
         let foot = a + perpendicular(self.guide) * offset;
         let (d, e) = (foot - reach, foot + reach);
@@ -127,13 +126,10 @@ impl CouplerSliderCrank {
         for (name, at) in [("A", a), ("B", b), ("C", c), ("D", d), ("E", e)] {
             spec = spec.point(name, at.x, at.y);
         }
-        spec = spec
-            .fixed(&["A", "D", "E"])
-            .bar("crank", &["A", "B"])
-            .bar("rod", &["B", "C"])
+        spec = spec.fixed(&["A", "D", "E"]).bar("crank", &["A", "B"]);
+        spec = with_traced(spec, "rod", self.joints, self.point)
             .bar("slider", &["C"])
-            .slide("slider", "C", "frame", ["D", "E"])
-            .tracer("P", "rod", along, across);
+            .slide("slider", "C", "frame", ["D", "E"]);
         if rod + offset.abs() < crank {
             spec.drivers.push(crate::linkage::DriverSpec::Crank {
                 link: "rod".to_owned(),

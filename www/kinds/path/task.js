@@ -1,0 +1,97 @@
+// The path: what its points mean, their coordinates, and the pen that draws a path on the paper.
+import { CardList } from "assur/controls/card-list.js";
+import { NumberBox, numberField } from "assur/controls/number-box.js";
+import { section } from "assur/controls/section.js";
+import { make, write } from "assur/core/dom.js";
+import { Seen } from "assur/core/seen.js";
+import { Pen } from "assur/kinds/path/pen.js";
+import { saidOf } from "assur/kinds/path/verdict.js";
+import { edited } from "assur/state/state.js";
+
+/**
+ * @typedef {import("assur/kinds/path/verdict.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/state.js").Documents["path"]} Document
+ * @typedef {Document["points"][number]} Place
+ */
+
+const COURSES = Object.freeze(/** @type {const} */ (["points", "open", "closed"]));
+
+/** Limits of the number of points that are listed one by one. */
+const POINTS = Object.freeze({ least: 3, most: 24 });
+
+const AXES = Object.freeze(/** @type {const} */ (["x", "y"]));
+
+/** A new point is rounded to a multiple of one divided by this number. */
+const PARTS_OF_UNIT = 1000;
+
+export class TaskView {
+  #store;
+  #course = make("select", { id: "path-course", class: "control", "data-t-label": "path.course" }, COURSES.map((course) => make("option", { value: course, "data-t": `path.course.${course}` })));
+  #list;
+  #count = make("p", { id: "path-count" });
+  #said = make("p", { id: "path-said" });
+  #pen;
+  #shown = new Seen();
+
+  /** @param {import("assur/app/page.js").Page} page */
+  constructor(page) {
+    this.#store = page.store;
+    this.#pen = new Pen(page);
+    this.#course.addEventListener("change", () => {
+      const course = COURSES[this.#course.selectedIndex];
+      this.#store.update((state) => edited(state, "path", () => ({ course, linkage: null })));
+    });
+    this.#list = new CardList({
+      kind: "path", name: "points", first: 1, ...POINTS, written: String,
+      words: { add: "path.add", remove: "path.remove" }, build: card, another,
+      without: (index, { points }) => ({ points: points.filter((_, at) => at !== index) }),
+    }, page);
+    section("path", "path.heading", "points", [this.#course, this.#pen.button, this.#pen.hint, this.#list.cards, this.#list.add, this.#count, this.#said]);
+  }
+
+  /** @param {Snapshot} snapshot */
+  render(snapshot) {
+    const { state, problems, words, summary } = snapshot;
+    const { course = "points", points } = state.document;
+    this.#pen.render(snapshot);
+    const wrong = new Set(problems.map(({ field }) => field));
+    if (this.#shown.same(state.document, summary, words, ...wrong)) return;
+    this.#course.value = course;
+    const listed = points.length <= POINTS.most;
+    this.#list.cards.hidden = this.#list.add.hidden = !listed;
+    this.#count.hidden = listed;
+    if (listed) this.#list.show(snapshot, wrong);
+    write(this.#count, words.text("path.count", { count: words.numbers.exact(points.length) }));
+    write(this.#said, saidOf(snapshot).join(" "));
+  }
+}
+
+/**
+ * @param {Snapshot} snapshot
+ * @returns {Place} the next point at the distance of the last two
+ */
+export function another({ state: { document: { points } } }) {
+  const [before, last] = points.slice(-2);
+  const next = (/** @type {0 | 1} */ axis) => Math.round((2 * last[axis] - before[axis]) * PARTS_OF_UNIT) / PARTS_OF_UNIT;
+  return [next(0), next(1)];
+}
+
+/** @type {import("assur/controls/card-list.js").ListKind<"path", Place>["build"]} */
+function card(index, put, drafts, remove) {
+  const n = String(index + 1);
+  /** @type {Place} */
+  let here = [0, 0];
+  const boxes = AXES.map((axis, i) => {
+    const field = `points[${index}].${axis}`;
+    const input = numberField({ id: `field-point-${axis}-${n}`, "data-t-label": `field.points.${axis}`, "data-n": n });
+    const box = new NumberBox(input, field, drafts, (value) => put(i === 0 ? [value, here[1]] : [here[0], value]));
+    return { field, i, box, label: make("label", {}, [make("b", {}, [axis]), input]) };
+  });
+  return {
+    lines: [make("div", { class: "path-point" }, [make("b", {}, [n]), ...boxes.map(({ label }) => label), remove])],
+    show(point, { words: { numbers } }, wrong) {
+      here = point;
+      for (const { field, i, box } of boxes) box.show(point[i], { brief: numbers.brief(point[i]), full: numbers.exact(point[i]) }, wrong.has(field));
+    },
+  };
+}
