@@ -58,6 +58,7 @@ mod one_plot;
 mod overlays;
 mod package;
 mod paper;
+mod paths;
 mod picture;
 mod picture_behind;
 mod picture_kept;

@@ -6,7 +6,6 @@ use assur::mobility::Scheme;
 use roxmltree::Document;
 use thirtyfour::prelude::*;
 
-use crate::browser::Page;
 use crate::export::{open_dialog, save_text};
 use crate::mobility::{cuts, document, open, scheme, with_cuts};
 

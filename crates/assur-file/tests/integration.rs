@@ -8,6 +8,7 @@
 mod gear_train;
 mod linkage;
 mod mutations;
+mod path;
 mod poses;
 mod scheme;
 mod synthesis;

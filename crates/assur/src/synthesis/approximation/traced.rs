@@ -31,6 +31,11 @@ const SAMPLES: usize = 360;
 const MOST: usize = 1440;
 /// Steps from a sample to a foot.
 const STEPS: usize = 8;
+/// A step, as a part of the distance of two samples, at which a foot is found.
+const SETTLED: f64 = 1e-9;
+/// Sections of the golden section: they reach the digits of the input.
+const SECTIONS: usize = 70;
+const GOLDEN: f64 = 1.618_033_988_749_895;
 /// Distances that differ by less, in units of the size, are equal: the curve meets itself there.
 const EQUAL: f64 = tolerance::COINCIDENT;
 
@@ -149,14 +154,60 @@ impl<'a> Curve<'a> {
             let off = self.target.scaled(here.place()) - wanted;
             let step = (off.re * tangent.x + off.im * tangent.y) / tangent.norm_squared();
             let next = (best.0 - step).clamp(low, high);
+            let is_settled = (next - best.0).abs() <= SETTLED * (high - low);
             let Some(place) = step.is_finite().then(|| self.place(next)).flatten() else {
                 break;
             };
             let distance = (place - wanted).norm();
-            if distance >= best.1 {
+            let is_nearer = distance < best.1;
+            if is_nearer {
+                best = (next, distance);
+            }
+            if is_settled {
+                return best;
+            }
+            if !is_nearer {
                 break;
             }
-            best = (next, distance);
+        }
+        self.by_golden_section(wanted, [low, high], best)
+    }
+
+    /// The foot by the golden section. Next to a dead point the point moves too quickly for the steps.
+    fn by_golden_section(
+        &self,
+        wanted: Complex<f64>,
+        [mut low, mut high]: [f64; 2],
+        mut best: (f64, f64),
+    ) -> (f64, f64) {
+        let off = |input: f64| {
+            let place = self.place(input);
+            place.map_or(f64::INFINITY, |place| (place - wanted).norm())
+        };
+        let inner = |low: f64, high: f64| {
+            let part = (high - low) / GOLDEN;
+            [high - part, low + part]
+        };
+        let mut ends = inner(low, high);
+        let mut offs = ends.map(off);
+        for _ in 0..SECTIONS {
+            for (input, distance) in ends.into_iter().zip(offs) {
+                if distance < best.1 {
+                    best = (input, distance);
+                }
+            }
+            let left = offs[0] < offs[1];
+            [low, high] = if left {
+                [low, ends[1]]
+            } else {
+                [ends[0], high]
+            };
+            let next = inner(low, high);
+            (ends, offs) = if left {
+                ([next[0], ends[0]], [off(next[0]), offs[0]])
+            } else {
+                ([ends[1], next[1]], [offs[1], off(next[1])])
+            };
         }
         best
     }

@@ -1,0 +1,115 @@
+//! The saved form of a path: what is left out, what is shown, what is refused.
+
+use assur::synthesis::approximation::Tracing;
+use assur_file::{Document, Kind, PathDocument, State, TracingDocument, document};
+use serde_json::{Value, json};
+
+/// Five points with some fields more.
+fn five(more: &Value) -> Value {
+    let mut document = json!({"points": [[0, 0], [1, 0.4], [1.6, 1.2], [1.2, 2.1], [0.2, 2.2]]});
+    for (key, value) in more.as_object().unwrap() {
+        document[key] = value.clone();
+    }
+    document
+}
+
+fn read(document: Value) -> PathDocument {
+    serde_json::from_value(document).unwrap()
+}
+
+/// The codes of problems, with their parameters.
+fn refused(document: Value) -> Vec<Value> {
+    let problems = read(document).linkage().unwrap_err();
+    let said = problems.iter().map(serde_json::to_value);
+    said.map(Result::unwrap).collect()
+}
+
+const FOUR_BAR: [[f64; 2]; 5] = [[0.0, 0.0], [5.0, 0.0], [0.0, 2.0], [3.0, 4.0], [1.0, 5.0]];
+
+fn four_bar() -> Value {
+    let [a, d, b, c, p] = FOUR_BAR;
+    json!({"four_bar": {"pivots": [a, d], "joints": [b, c], "point": p}})
+}
+
+#[test]
+fn without_a_linkage_a_short_search_finds_one() {
+    let document = read(five(&json!({})));
+    let found = document.task().unwrap();
+    assert!(matches!(found.shown, Some(Tracing::FourBar(_))));
+    let linkage = document.linkage().unwrap();
+    assert_eq!(linkage.traces, ["P"]);
+    assert_eq!(document.linkage().unwrap(), linkage, "not the same again");
+}
+
+#[test]
+fn a_given_linkage_is_shown_as_it_is_given() {
+    let document = read(five(&json!({ "linkage": four_bar() })));
+    let shown = document.task().unwrap().shown.unwrap();
+    assert_eq!(TracingDocument::from(&shown), document.linkage.unwrap());
+    let linkage = document.linkage().unwrap();
+    for (name, at) in ["A", "D", "B", "C", "P"].into_iter().zip(FOUR_BAR) {
+        let mut points = linkage.points.iter();
+        assert_eq!(points.find(|point| point.name == name).unwrap().at, at);
+    }
+    let state = json!({"format": 2, "kind": "path", "document": five(&json!({"linkage": four_bar(), "course": "closed"}))});
+    let state = State::read(&state).unwrap();
+    assert!(matches!(&state.document, Document::Path(_)));
+    let again = State::read(&serde_json::to_value(&state).unwrap()).unwrap();
+    assert_eq!(again, state);
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    let codes = |document| {
+        let problems = refused(document);
+        let code = |problem: &Value| problem["code"].as_str().unwrap().to_owned();
+        problems.iter().map(code).collect::<Vec<_>>()
+    };
+    assert_eq!(codes(json!({"points": [[0, 0], [1, 1]]})), ["out_of_range"]);
+    let equal = json!({"points": [[0, 0], [1, 1], [0, 0], [1, 1]]});
+    assert_eq!(
+        refused(equal),
+        [json!({"code": "too_few_points", "distinct": 2})]
+    );
+    let far = json!({"points": [[0, 0], [1, 2e9], [2, 1]]});
+    assert_eq!(refused(far)[0]["field"], "points[1].y");
+    let short = json!({"four_bar": {"pivots": [[0, 0], [9, 0]], "joints": [[0, 0], [1, 1]], "point": [0, 0]}});
+    let problems = refused(five(&json!({ "linkage": short })));
+    assert!(!problems.is_empty());
+    let none = json!({"slider_crank": {"pivot": [0, 0], "joints": [[0, 1], [3, 0]], "guide": [0, 0], "point": [1, 1]}});
+    assert_eq!(
+        codes(five(&json!({ "linkage": none }))),
+        ["no_slider_crank"]
+    );
+    let misspelt = five(&json!({"cours": "open"}));
+    let misspelt = State::read(&json!({"format": 2, "kind": "path", "document": misspelt}));
+    assert!(misspelt.is_err());
+}
+
+/// Points in line are met by a slide, points on a circle by a crank.
+#[test]
+fn special_paths_have_exact_linkages() {
+    for points in [
+        json!([[0, 0], [1, 1], [2, 2], [3.5, 3.5]]),
+        json!([[1, 0], [0, 1], [-1, 0], [0, -1]]),
+    ] {
+        let document = read(json!({ "points": points }));
+        let motion = document.motion().unwrap();
+        let found = document.task().unwrap();
+        let traced = assur::synthesis::approximation::Traced::new(
+            &found.shown.unwrap(),
+            &motion,
+            &found.target,
+        );
+        let greatest = traced.unwrap().deviation.greatest;
+        assert!(greatest < 1e-9, "{points}: {greatest}");
+    }
+}
+
+#[test]
+fn the_catalogue_has_paths() {
+    for name in ["path-nine", "path-drawn"] {
+        let document = document(name).unwrap().unwrap();
+        assert!(document.linkage().is_ok());
+    }
+}
