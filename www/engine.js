@@ -21,7 +21,7 @@ import * as module from "assur/pkg/assur_web.js";
 export class Engine {
   /** @type {Omit<module.Simulator, "free">} simulator of the page */
   simulator = guarded(() => this.#simulator, (call) => this.ask(call));
-  /** @type {Omit<typeof module, "default" | "initSync" | "AllMotions" | "Design" | "Simulator" | "second" | "__wbg_reset_state">} functions that need no simulator */
+  /** @type {Omit<typeof module, "default" | "initSync" | "AllMotions" | "Design" | "NinePointSearch" | "NinePointWorker" | "PathSearch" | "Simulator" | "second" | "__wbg_reset_state">} functions that need no simulator */
   functions = guarded(() => module, (call) => this.ask(call));
   #simulator = new module.Simulator();
   /** @type {State | null} the last state that the simulator accepted */

@@ -22,7 +22,7 @@ export type DamperDocument = {
 /** The points of its two ends. */ ends?: [AnchorDocument, AnchorDocument] | null, 
 /** The links between which it acts on their relative angular velocity, if it has no ends. */ links?: [string, string] | null, 
 /** Damping coefficient: N·s/m, or N·m·s. */ damping: number, };
-export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
+export type Document = { "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "point-path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument };
 export type DraftDocument = LinkageDocument;
 export type DriveDocument = { 
 /** The driven shaft. */ shaft: ShaftDocument, 
@@ -231,7 +231,7 @@ export type PairDocument = {
 export type PathDocument = { 
 /** Unit of lengths; if absent, only proportions count. */ unit?: LengthUnit | null, 
 /** What the points mean. */ course?: CourseDocument, 
-/** The points of the path, in their order: 3 to 512. */ points: Array<[number, number]>, 
+/** The points of the path, in their order: 3 to 512. */ path: Array<[number, number]>, 
 /** The linkage that is shown; if absent, the best one of a short search. */ linkage?: TracingDocument | null, };
 export type PictureDocument = { 
 /** The image, as a `data:` URL. */ image: string, 
@@ -266,7 +266,7 @@ export type PositionDocument = {
 /** Weight of the position if not all positions can be met. */ weight: number, 
 /** Coupler angle φ₁ at which the conditions of the paper are evaluated; if absent, that of the shown linkage. */ coupler_deg?: number | null, };
 export type Preset = { 
-/** Name in the catalogue. */ id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+/** Name in the catalogue. */ id: string, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "point-path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type QuestionDocument = { 
 /** Text of the question. */ text: string, 
 /** Hint after a wrong answer. */ hint?: string, 
@@ -295,7 +295,7 @@ export type Shelf = {
 /** Highest class of the Assur groups, in Roman numerals; none if the mechanism is not a linkage. */ class: string | null, };
 export type ShownDocument = { 
 /** The view. Only fields that differ from their defaults are saved. */ view: Partial<View>, 
-/** Numbers of the document that vary from reader to reader. */ vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
+/** Numbers of the document that vary from reader to reader. */ vary?: Array<VariedDocument>, } & ({ "kind": "draft", "document": DraftDocument } | { "kind": "gear-train", "document": GearTrainDocument } | { "kind": "linkage", "document": LinkageDocument } | { "kind": "mixer", "document": MixerDocument } | { "kind": "point-path", "document": PathDocument } | { "kind": "poses", "document": PosesDocument } | { "kind": "scheme", "document": SchemeDocument } | { "kind": "synthesis", "document": SynthesisDocument });
 export type SlideDocument = { 
 /** The link that slides. */ link: string, 
 /** Point of the sliding link that keeps its drawn distance from the line. */ point: string, 

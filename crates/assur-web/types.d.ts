@@ -8,7 +8,7 @@ export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<
 export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
-export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, path: PathSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { draft: DraftSummary, "gear-train": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, "point-path": PathSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 export type ActingHere = { symbol: string, couple: boolean, 
 /** Components of the force; null if indeterminate, and for a couple. */ x: number | null, y: number | null, 
 /** Magnitude of the force, or the couple; null if indeterminate. */ size: number | null, 

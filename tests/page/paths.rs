@@ -53,14 +53,14 @@ async fn points_are_typed_added_and_removed() {
         Some("true")
     );
     page.write("field-point-y-1", "0").await;
-    page.click("points-add").await;
-    assert_eq!(page.count("#points .card:not([hidden])").await, 10);
+    page.click("path-add").await;
+    assert_eq!(page.count("#path .card:not([hidden])").await, 10);
     for count in (3..10).rev() {
-        page.click(&format!("points-remove-{}", count + 1)).await;
-        assert_eq!(page.count("#points .card:not([hidden])").await, count);
+        page.click(&format!("path-remove-{}", count + 1)).await;
+        assert_eq!(page.count("#path .card:not([hidden])").await, count);
     }
     assert_eq!(
-        page.count("#points button[id^=points-remove]:not([hidden])")
+        page.count("#points button[id^=path-remove]:not([hidden])")
             .await,
         0
     );
@@ -189,7 +189,7 @@ async fn paths_are_named_and_fit() {
     for lang in languages(1) {
         page.speak(lang).await;
         assert_eq!(defects(&page, 44).await, json!([]), "{lang}");
-        let script = "return [...document.querySelectorAll('[data-of=path]')].map((one) => one.innerText).join(' ')";
+        let script = "return [...document.querySelectorAll('[data-of=point-path]')].map((one) => one.innerText).join(' ')";
         let text = page.ask(script).await.as_str().unwrap().to_owned();
         assert!(
             text.len() > 200 && !text.contains("path."),

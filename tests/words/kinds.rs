@@ -98,7 +98,7 @@ pub(crate) fn kinds() -> Vec<Kind> {
 }
 
 /// Modules that are not of one kind and name problems or conditions of its documents.
-const SHARED: [(&str, &[&str]); 3] = [
+const SHARED: [(&str, &[&str]); 4] = [
     (
         "scheme",
         &[
@@ -110,6 +110,10 @@ const SHARED: [(&str, &[&str]); 3] = [
     (
         "gear-train",
         &["crates/assur/src/gears/train/conditions.rs"],
+    ),
+    (
+        "point-path",
+        &["crates/assur-web/src/kinds/synthesis/summary.rs"],
     ),
     (
         "poses",

@@ -40,7 +40,7 @@ pub use kinds::linkage::{
 };
 pub use kinds::mixer::{MixerDocument, MixerTracerDocument, WheelDocument};
 pub use kinds::numbers::NumberField;
-pub use kinds::path::{CourseDocument, PathDocument, PathProblem, PathTask, TracingDocument};
+pub use kinds::point_path::{CourseDocument, PathDocument, PathProblem, PathTask, TracingDocument};
 pub use kinds::poses::{Guidance, HingeDocument, PoseDocument, PosesDocument, PosesProblem};
 pub use kinds::scheme::{EndDocument, KindDocument, PairDocument, PlaceDocument, SchemeDocument};
 pub use kinds::synthesis::function::{FormulaDocument, FunctionDocument, Wanted};

@@ -8,7 +8,7 @@
 mod gear_train;
 mod linkage;
 mod mutations;
-mod path;
+mod point_path;
 mod poses;
 mod scheme;
 mod synthesis;

@@ -15,8 +15,12 @@ use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
-use crate::kinds::path::search::{NinePointProgress, PathWork, TracingProgress, TracingWishes};
-use crate::kinds::path::summary::{FoundTracing, PathSummary, PathTaskSummary, TracingVerdict};
+use crate::kinds::point_path::search::{
+    NinePointProgress, PathWork, TracingProgress, TracingWishes,
+};
+use crate::kinds::point_path::summary::{
+    FoundTracing, PathSummary, PathTaskSummary, TracingVerdict,
+};
 use crate::kinds::poses::summary::{DyadPairSummary, GuidanceVerdict, PosesSummary, TaskSummary};
 use crate::kinds::scheme::summary::SchemeSummary;
 use crate::kinds::synthesis::options::{FamilySummary, FoundSummary};
@@ -43,7 +47,7 @@ export type Fields<K extends Kind = Kind> = K extends Kind ? Partial<DocumentOf<
 export type Changed = { document?: Fields, input?: number };
 export type Traced = { document: Fields & { tracers: { name?: string, link: string }[] } };
 export type Imported = { read: Document, left_out: Problem[] };
-export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, path: PathSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
+export type Summaries = { draft: DraftSummary, \"gear-train\": GearTrainSummary, linkage: LinkageSummary, mixer: MixerSummary, \"point-path\": PathSummary, poses: PosesSummary, scheme: SchemeSummary, synthesis: SynthesisSummary };
 ";
 
 #[test]

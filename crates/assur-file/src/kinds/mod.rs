@@ -5,7 +5,7 @@ pub(crate) mod gear_train;
 pub(crate) mod linkage;
 pub(crate) mod mixer;
 pub(crate) mod numbers;
-pub(crate) mod path;
+pub(crate) mod point_path;
 pub(crate) mod poses;
 pub(crate) mod scheme;
 pub(crate) mod synthesis;
@@ -24,7 +24,7 @@ use gear_train::GearTrainDocument;
 use linkage::LinkageDocument;
 use mixer::MixerDocument;
 use numbers::NumberField;
-use path::PathDocument;
+use point_path::PathDocument;
 use poses::PosesDocument;
 use scheme::SchemeDocument;
 use synthesis::SynthesisDocument;
@@ -158,7 +158,7 @@ kinds! {
     /// A mixer: a crank-rocker with gears.
     "mixer" => Mixer(MixerDocument),
     /// A path that a point is to trace.
-    "path" => Path(PathDocument),
+    "point-path" => Path(PathDocument),
     /// A body in given poses.
     "poses" => Poses(PosesDocument),
     /// Links and pairs without motion.

@@ -4,7 +4,7 @@ pub(crate) mod draft;
 pub(crate) mod gear_train;
 pub(crate) mod linkage;
 pub(crate) mod mixer;
-pub(crate) mod path;
+pub(crate) mod point_path;
 pub(crate) mod poses;
 pub(crate) mod scheme;
 pub(crate) mod synthesis;
@@ -41,7 +41,7 @@ pub(crate) fn open_after(
         Document::GearTrain(document) => Box::new(gear_train::GearTrain::new(state, document)?),
         Document::Linkage(_) => Box::new(linkage::Linkage::new(state, made)?),
         Document::Mixer(document) => Box::new(mixer::Mixer::new(state, document)?),
-        Document::Path(document) => Box::new(path::Path::new(state, document)?),
+        Document::Path(document) => Box::new(point_path::Path::new(state, document)?),
         Document::Poses(document) => Box::new(poses::Poses::new(state, document)?),
         Document::Synthesis(document) => Box::new(synthesis::Synthesis::new(state, document)?),
         Document::Scheme(document) => Box::new(scheme::Scheme::new(state, document)?),

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 /// Five points with some fields more.
 fn five(more: &Value) -> Value {
-    let mut document = json!({"points": [[0, 0], [1, 0.4], [1.6, 1.2], [1.2, 2.1], [0.2, 2.2]]});
+    let mut document = json!({"path": [[0, 0], [1, 0.4], [1.6, 1.2], [1.2, 2.1], [0.2, 2.2]]});
     for (key, value) in more.as_object().unwrap() {
         document[key] = value.clone();
     }
@@ -51,7 +51,7 @@ fn a_given_linkage_is_shown_as_it_is_given() {
         let mut points = linkage.points.iter();
         assert_eq!(points.find(|point| point.name == name).unwrap().at, at);
     }
-    let state = json!({"format": 2, "kind": "path", "document": five(&json!({"linkage": four_bar(), "course": "closed"}))});
+    let state = json!({"format": 2, "kind": "point-path", "document": five(&json!({"linkage": four_bar(), "course": "closed"}))});
     let state = State::read(&state).unwrap();
     assert!(matches!(&state.document, Document::Path(_)));
     let again = State::read(&serde_json::to_value(&state).unwrap()).unwrap();
@@ -65,14 +65,14 @@ fn what_is_wrong_is_named() {
         let code = |problem: &Value| problem["code"].as_str().unwrap().to_owned();
         problems.iter().map(code).collect::<Vec<_>>()
     };
-    assert_eq!(codes(json!({"points": [[0, 0], [1, 1]]})), ["out_of_range"]);
-    let equal = json!({"points": [[0, 0], [1, 1], [0, 0], [1, 1]]});
+    assert_eq!(codes(json!({"path": [[0, 0], [1, 1]]})), ["out_of_range"]);
+    let equal = json!({"path": [[0, 0], [1, 1], [0, 0], [1, 1]]});
     assert_eq!(
         refused(equal),
         [json!({"code": "too_few_points", "distinct": 2})]
     );
-    let far = json!({"points": [[0, 0], [1, 2e9], [2, 1]]});
-    assert_eq!(refused(far)[0]["field"], "points[1].y");
+    let far = json!({"path": [[0, 0], [1, 2e9], [2, 1]]});
+    assert_eq!(refused(far)[0]["field"], "path[1].y");
     let short = json!({"four_bar": {"pivots": [[0, 0], [9, 0]], "joints": [[0, 0], [1, 1]], "point": [0, 0]}});
     let problems = refused(five(&json!({ "linkage": short })));
     assert!(!problems.is_empty());
@@ -82,7 +82,7 @@ fn what_is_wrong_is_named() {
         ["no_slider_crank"]
     );
     let misspelt = five(&json!({"cours": "open"}));
-    let misspelt = State::read(&json!({"format": 2, "kind": "path", "document": misspelt}));
+    let misspelt = State::read(&json!({"format": 2, "kind": "point-path", "document": misspelt}));
     assert!(misspelt.is_err());
 }
 
@@ -93,7 +93,7 @@ fn special_paths_have_exact_linkages() {
         json!([[0, 0], [1, 1], [2, 2], [3.5, 3.5]]),
         json!([[1, 0], [0, 1], [-1, 0], [0, -1]]),
     ] {
-        let document = read(json!({ "points": points }));
+        let document = read(json!({ "path": points }));
         let motion = document.motion().unwrap();
         let found = document.task().unwrap();
         let traced = assur::synthesis::approximation::Traced::new(

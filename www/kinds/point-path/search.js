@@ -4,12 +4,12 @@ import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { compiledWasm } from "assur/core/wasm.js";
-import { TracingList } from "assur/kinds/path/tracing-list.js";
+import { TracingList } from "assur/kinds/point-path/tracing-list.js";
 import { edited, withoutExtras } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/kinds/path/verdict.js").Snapshot} Snapshot
- * @typedef {import("assur/kinds/path/verdict.js").Found} Found
+ * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
+ * @typedef {import("assur/kinds/point-path/verdict.js").Found} Found
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/types/web.js").TracingProgress} Progress
  */
@@ -50,14 +50,14 @@ export class SearchView {
   constructor(page) {
     this.#page = page;
     this.#list = new TracingList("path-found", "path.found", page);
-    section("path", "path.search_heading", "search", [this.#kinds, this.#measure, this.#start, this.#stop, this.#told, this.#list.element]);
+    section("point-path", "path.search_heading", "search", [this.#kinds, this.#measure, this.#start, this.#stop, this.#told, this.#list.element]);
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
-    const { points, course } = snapshot.state.document;
-    if (this.#subject.length > 0 && (this.#subject[0] !== points || this.#subject[1] !== course)) this.#forget();
+    const { path, course } = snapshot.state.document;
+    if (this.#subject.length > 0 && (this.#subject[0] !== path || this.#subject[1] !== course)) this.#forget();
     if (this.#shown.same(snapshot.summary, snapshot.state.document, snapshot.words, this.#found, this.#progress, this.#problems, this.#worker)) return;
     const { words } = snapshot;
     const { numbers } = words;
@@ -82,7 +82,7 @@ export class SearchView {
   #search() {
     this.#forget();
     const state = this.#page.store.get();
-    if (state.kind !== "path") return;
+    if (state.kind !== "point-path") return;
     const kind = KINDS[this.#kinds.selectedIndex];
     const wishes = {
       squares: this.#measure.value === "squares",
@@ -90,9 +90,9 @@ export class SearchView {
       slider_cranks: kind === "slider_cranks" || kind === "both",
       swinging: kind === "swinging",
     };
-    this.#subject = [state.document.points, state.document.course];
+    this.#subject = [state.document.path, state.document.course];
     this.#changed = false;
-    const worker = new Worker(import.meta.resolve("assur/kinds/path/search-worker.js"), { type: "module" });
+    const worker = new Worker(import.meta.resolve("assur/kinds/point-path/search-worker.js"), { type: "module" });
     this.#worker = worker;
     const lost = () => {
       if (worker === this.#worker) this.#receive({ problems: [{ code: "not_arrived" }] });
@@ -127,7 +127,7 @@ export class SearchView {
     if (this.#changed) history.join();
     else history.close();
     this.#changed = true;
-    store.update((state) => edited(state, "path", () => ({ linkage })));
+    store.update((state) => edited(state, "point-path", () => ({ linkage })));
   }
 
   #finish() {

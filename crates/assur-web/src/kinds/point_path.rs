@@ -193,9 +193,9 @@ impl Edited for Path {
         }
         let number = self.held.iter().position(|handle| handle.name == point);
         let number = number.ok_or_else(|| unknown(point))?;
-        let mut points = self.document.points.clone();
+        let mut points = self.document.path.clone();
         let steps = 10.0_f64.powf((STEPS / self.task.target.size()).log10().ceil());
         points[number] = [to.x, to.y].map(|value| (value * steps).round() / steps);
-        Ok(Change::document(&json!({ "points": points })))
+        Ok(Change::document(&json!({ "path": points })))
     }
 }

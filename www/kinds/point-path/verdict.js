@@ -5,7 +5,7 @@ import { degrees } from "assur/core/angles.js";
  * @typedef {import("assur/types/web.js").FoundTracing} Found
  * @typedef {NonNullable<Found["verdict"]>} Verdict
  * @typedef {import("assur/core/words.js").Words} Words
- * @typedef {import("assur/state/model.js").OwnSnapshot<"path">} Snapshot
+ * @typedef {import("assur/state/model.js").OwnSnapshot<"point-path">} Snapshot
  */
 
 /** Tests of the filters, by their names. */

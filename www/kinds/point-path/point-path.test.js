@@ -3,9 +3,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
 import { Words } from "assur/core/words.js";
-import { closes, thinned } from "assur/kinds/path/pen.js";
-import { another } from "assur/kinds/path/task.js";
-import { FILTERS, csvOf, missedBy, saidOf, typeOf, verdictOf } from "assur/kinds/path/verdict.js";
+import { closes, thinned } from "assur/kinds/point-path/pen.js";
+import { another } from "assur/kinds/point-path/task.js";
+import { FILTERS, csvOf, missedBy, saidOf, typeOf, verdictOf } from "assur/kinds/point-path/verdict.js";
 import { NinePointSearch, NinePointWorker, PathSearch } from "assur/pkg/assur_web.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
@@ -22,7 +22,7 @@ const START = readFileSync(new URL("../../data/nine-points.bin", import.meta.url
  * @param {object} [more]
  */
 function asked(points, more = {}) {
-  const state = initialState("path", { points, ...more }, { playing: false });
+  const state = initialState("point-path", { path: points, ...more }, { playing: false });
   return { state, summary: engine.set(state) };
 }
 
@@ -54,8 +54,8 @@ test("cognates and geared five-bars trace the same curve", () => {
 test("a point is dragged, the linkage stays", () => {
   asked(FIVE);
   const { document } = engine.simulator.drag("point2", 0, 1.23456, 0.5);
-  assert.deepEqual(document.points[1], [1.235, 0.5]);
-  assert.deepEqual(document.points[0], [0, 0]);
+  assert.deepEqual(document.path[1], [1.235, 0.5]);
+  assert.deepEqual(document.path[0], [0, 0]);
   assert.equal("linkage" in document, false);
   assert.throws(() => engine.simulator.drag("point9", 0, 0, 0));
 });
@@ -91,7 +91,7 @@ test("what a search says of its linkage is what the page says of it", () => {
   const state = stateOf(engine, "path-drawn");
   const search = new PathSearch(state, USUAL);
   const [best] = search.step(4000).found;
-  const { traced } = asked(state.document.points, { course: "closed", linkage: best.linkage }).summary;
+  const { traced } = asked(state.document.path, { course: "closed", linkage: best.linkage }).summary;
   assert.ok(Math.abs(traced.greatest - best.greatest) < 1e-2 * best.greatest, `${traced.greatest}, not ${best.greatest}`);
   assert.equal(traced.verdict.grashof, best.verdict.grashof);
   search.free();
@@ -112,7 +112,7 @@ test("nine points: workers find all 1,442 curves, and each real four-bar passes 
   assert.equal(new Set(found.map(({ curve }) => curve)).size, 21);
   assert.ok(found.filter(FILTERS.sound).every(FILTERS.works) && found.every(FILTERS.all));
   for (const one of found.filter(({ verdict }) => verdict?.passage === "continuous")) {
-    const { traced, distances, size } = asked(state.document.points, { linkage: one.linkage }).summary;
+    const { traced, distances, size } = asked(state.document.path, { linkage: one.linkage }).summary;
     assert.ok(Math.max(...distances) < 1e-8 * size, `${Math.max(...distances)}: ${verdictOf(traced, english)}`);
   }
   assert.match(typeOf(found[0], english), /^four-bar, /);
@@ -124,7 +124,7 @@ test("nine points: workers find all 1,442 curves, and each real four-bar passes 
 test("points that are not nine, or leave a family, are refused with a sentence", () => {
   const code = (/** @type {readonly (readonly number[])[]} */ points) => {
     try {
-      new NinePointSearch(initialState("path", { points }, {}));
+      new NinePointSearch(initialState("point-path", { path: points }, {}));
       return "";
     } catch (thrown) {
       const [problem] = thrown.problems;
@@ -154,5 +154,5 @@ test("a drawn line is thinned at equal distances, and closed if its ends are nea
 });
 
 test("a new point continues the last two", () => {
-  assert.deepEqual(another({ state: { document: { points: [[0, 0], [1, 0.5]] } } }), [2, 1]);
+  assert.deepEqual(another({ state: { document: { path: [[0, 0], [1, 0.5]] } } }), [2, 1]);
 });

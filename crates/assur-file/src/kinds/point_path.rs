@@ -26,7 +26,7 @@ pub struct PathDocument {
     #[cfg_attr(test, ts(optional, as = "Option<_>"))]
     pub course: CourseDocument,
     /// The points of the path, in their order: 3 to 512.
-    pub points: Vec<[f64; 2]>,
+    pub path: Vec<[f64; 2]>,
     /// The linkage that is shown; if absent, the best one of a short search.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub linkage: Option<TracingDocument>,
@@ -164,7 +164,7 @@ impl From<PathError> for Problem {
         match error {
             PathError::Count(count) => PathProblem::NotNinePoints { count }.into(),
             PathError::Place(k) => Self::NotANumber {
-                field: format!("points[{k}]").into(),
+                field: format!("path[{k}]").into(),
             },
             PathError::Coincident(first, second) => PathProblem::CoincidentPoints {
                 first: first + 1,
@@ -263,10 +263,10 @@ impl PathDocument {
     pub fn target(&self) -> Result<Target, Vec<Problem>> {
         let mut problems = Problems::default();
         let most = [-FARTHEST, FARTHEST];
-        problems.range("points", self.points.len() as f64, POINTS);
-        for (k, [x, y]) in self.points.iter().enumerate() {
-            problems.range(format!("points[{k}].x"), *x, most);
-            problems.range(format!("points[{k}].y"), *y, most);
+        problems.range("path", self.path.len() as f64, POINTS);
+        for (k, [x, y]) in self.path.iter().enumerate() {
+            problems.range(format!("path[{k}].x"), *x, most);
+            problems.range(format!("path[{k}].y"), *y, most);
         }
         for (field, [x, y]) in self.linkage.iter().flat_map(TracingDocument::places) {
             problems.range(format!("{field}.x"), x, most);
@@ -275,17 +275,17 @@ impl PathDocument {
         if !problems.0.is_empty() {
             return Err(problems.0);
         }
-        let points: Vec<Point> = self.points.iter().copied().map(Point::from).collect();
+        let points: Vec<Point> = self.path.iter().copied().map(Point::from).collect();
         Target::new(&points, self.course.into(), None).map_err(|error| {
             vec![match error {
                 TargetError::TooFew { distinct } => PathProblem::TooFewPoints { distinct }.into(),
                 TargetError::NotFinite(k) => Problem::NotANumber {
-                    field: format!("points[{k}]").into(),
+                    field: format!("path[{k}]").into(),
                 },
                 // Without crank angles they have no faults.
                 TargetError::Angles { .. } | TargetError::Angle(_) | TargetError::AnglesOfCurve => {
                     Problem::NotANumber {
-                        field: "points".into(),
+                        field: "path".into(),
                     }
                 }
             }]

@@ -68,7 +68,7 @@ fn document(state: &JsValue) -> Result<PathDocument, JsValue> {
     let state: State = read(state)?;
     match state.document {
         Document::Path(document) => Ok(document),
-        _ => Err(one(unknown("path"))),
+        _ => Err(one(unknown("point-path"))),
     }
 }
 
@@ -155,7 +155,7 @@ pub struct NinePointSearch {
 
 fn nine_points(state: &JsValue) -> Result<NinePoints, JsValue> {
     let document = document(state)?;
-    let points: Vec<Point> = document.points.iter().copied().map(Point::from).collect();
+    let points: Vec<Point> = document.path.iter().copied().map(Point::from).collect();
     NinePoints::new(&points).map_err(|error| one(Problem::from(error)))
 }
 

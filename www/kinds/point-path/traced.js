@@ -3,11 +3,11 @@ import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { html, nothing, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
-import { missedBy, typeOf, verdictOf } from "assur/kinds/path/verdict.js";
+import { missedBy, typeOf, verdictOf } from "assur/kinds/point-path/verdict.js";
 import { edited } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/kinds/path/verdict.js").Snapshot} Snapshot
+ * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
  * @typedef {import("assur/types/file.js").TracingDocument} Tracing
  */
 
@@ -26,7 +26,7 @@ export class TracedView {
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
-    this.#section = section("path", "path.traced", "linkage", [this.#body]);
+    this.#section = section("point-path", "path.traced", "traced", [this.#body]);
   }
 
   /** @param {Snapshot} snapshot */
@@ -66,7 +66,7 @@ export class TracedView {
     const all = cognates.map((one, k) => [one, words.text(cognates.length > 1 ? `path.cognate.${k + 1}` : "path.cognate")]);
     const button = (/** @type {Tracing | null} */ one, /** @type {string} */ text, /** @type {number} */ k) => {
       const choose = () => {
-        if (one) this.#page.store.update((state) => edited(state, "path", () => ({ linkage: one })));
+        if (one) this.#page.store.update((state) => edited(state, "point-path", () => ({ linkage: one })));
       };
       return html`<button id="path-cognate-${k + 1}" class="control" type="button" ?disabled=${one === null} @click=${choose}>${text}</button>`;
     };

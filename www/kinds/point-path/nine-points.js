@@ -4,14 +4,14 @@ import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { Seen } from "assur/core/seen.js";
-import { NineWorkers } from "assur/kinds/path/nine-workers.js";
-import { TracingList } from "assur/kinds/path/tracing-list.js";
-import { FILTERS, csvOf } from "assur/kinds/path/verdict.js";
+import { NineWorkers } from "assur/kinds/point-path/nine-workers.js";
+import { TracingList } from "assur/kinds/point-path/tracing-list.js";
+import { FILTERS, csvOf } from "assur/kinds/point-path/verdict.js";
 import { withoutExtras } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/kinds/path/verdict.js").Snapshot} Snapshot
- * @typedef {import("assur/kinds/path/verdict.js").Found} Found
+ * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
+ * @typedef {import("assur/kinds/point-path/verdict.js").Found} Found
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/types/web.js").NinePointProgress} Progress
  */
@@ -52,14 +52,14 @@ export class NinePointsView {
     for (const name of Object.keys(FILTERS)) this.#filter.append(make("option", { value: name, "data-t": `path.filter.${name}` }));
     this.#filter.addEventListener("change", () => this.#write());
     this.#save = make("button", { id: "nine-csv", class: "control add", type: "button", "data-t": "path.csv", onclick: () => this.#download() });
-    this.#section = section("path", "path.nine_heading", "nine", [this.#start, this.#stop, this.#bar, this.#told, this.#filter, this.#count, this.#list.element, this.#save]);
+    this.#section = section("point-path", "path.nine_heading", "nine", [this.#start, this.#stop, this.#bar, this.#told, this.#filter, this.#count, this.#list.element, this.#save]);
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
     const { state: { document }, words } = snapshot;
-    if (this.#subject && this.#subject !== document.points) this.#forget();
+    if (this.#subject && this.#subject !== document.path) this.#forget();
     if (this.#shown.same(document, words)) return;
     this.#section.hidden = (document.course ?? "points") !== "points";
     this.#write();
@@ -70,7 +70,7 @@ export class NinePointsView {
     if (!snapshot) return;
     const { state: { document }, words } = snapshot;
     const { numbers } = words;
-    const nine = document.points.length === POINTS;
+    const nine = document.path.length === POINTS;
     const working = this.#workers !== null;
     this.#start.hidden = working;
     this.#start.disabled = !nine;
@@ -80,7 +80,7 @@ export class NinePointsView {
       this.#bar.max = progress.all;
       this.#bar.value = progress.all - progress.left;
     }
-    write(this.#told, [...(nine ? [] : [words.text("path.not_nine", { count: numbers.exact(document.points.length) })]), ...this.#said(words)].join(" "));
+    write(this.#told, [...(nine ? [] : [words.text("path.not_nine", { count: numbers.exact(document.path.length) })]), ...this.#said(words)].join(" "));
     const listed = this.#found.filter(FILTERS[this.#filter.value]);
     this.#filter.hidden = this.#save.hidden = this.#found.length === 0;
     this.#count.hidden = listed.length === this.#found.length;
@@ -113,8 +113,8 @@ export class NinePointsView {
   #search() {
     this.#forget();
     const state = this.#page.store.get();
-    if (state.kind !== "path") return;
-    this.#subject = state.document.points;
+    if (state.kind !== "point-path") return;
+    this.#subject = state.document.path;
     const workers = new NineWorkers(withoutExtras(state), (said) => {
       if (workers === this.#workers) this.#receive(said);
     });
@@ -123,7 +123,7 @@ export class NinePointsView {
     this.#stop.focus();
   }
 
-  /** @param {import("assur/kinds/path/nine-workers.js").Said} said */
+  /** @param {import("assur/kinds/point-path/nine-workers.js").Said} said */
   #receive({ progress, found, ended, problems = [] }) {
     if (progress) this.#progress = progress;
     if (found) this.#found = found;

@@ -4,7 +4,7 @@ import { edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/stage/pointer.js").Pixel} Pixel
- * @typedef {import("assur/kinds/path/verdict.js").Snapshot} Snapshot
+ * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
  */
 
 /** Least distance between two points of a drawn line, in pixels. */
@@ -43,7 +43,7 @@ export class Pen {
   /** @param {Snapshot} snapshot */
   render({ state }) {
     // A path that is opened beside this one is not drawn over.
-    if (this.#on && state.kind !== "path") this.#set(false);
+    if (this.#on && state.kind !== "point-path") this.#set(false);
   }
 
   /** @param {boolean} on */
@@ -64,7 +64,7 @@ export class Pen {
    */
   press(at) {
     const place = this.#place(at);
-    this.#page.store.update((state) => edited(state, "path", ({ course = "points", points }) => (course === "points" ? { points: [...points, place], linkage: null } : {})));
+    this.#page.store.update((state) => edited(state, "point-path", ({ course = "points", path }) => (course === "points" ? { path: [...path, place], linkage: null } : {})));
   }
 
   /**
@@ -111,7 +111,7 @@ export class Pen {
     if (points.length < LEAST) return;
     /** @type {import("assur/types/file.js").CourseDocument} */
     const course = closed ? "closed" : "open";
-    this.#page.store.update((state) => edited(state, "path", () => ({ points, course, linkage: null })));
+    this.#page.store.update((state) => edited(state, "point-path", () => ({ path: points, course, linkage: null })));
   }
 }
 

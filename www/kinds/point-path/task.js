@@ -4,14 +4,14 @@ import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
-import { Pen } from "assur/kinds/path/pen.js";
-import { saidOf } from "assur/kinds/path/verdict.js";
+import { Pen } from "assur/kinds/point-path/pen.js";
+import { saidOf } from "assur/kinds/point-path/verdict.js";
 import { edited } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/kinds/path/verdict.js").Snapshot} Snapshot
- * @typedef {import("assur/state/state.js").Documents["path"]} Document
- * @typedef {Document["points"][number]} Place
+ * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
+ * @typedef {import("assur/state/state.js").Documents["point-path"]} Document
+ * @typedef {Document["path"][number]} Place
  */
 
 const COURSES = Object.freeze(/** @type {const} */ (["points", "open", "closed"]));
@@ -39,29 +39,29 @@ export class TaskView {
     this.#pen = new Pen(page);
     this.#course.addEventListener("change", () => {
       const course = COURSES[this.#course.selectedIndex];
-      this.#store.update((state) => edited(state, "path", () => ({ course, linkage: null })));
+      this.#store.update((state) => edited(state, "point-path", () => ({ course, linkage: null })));
     });
     this.#list = new CardList({
-      kind: "path", name: "points", first: 1, ...POINTS, written: String,
+      kind: "point-path", name: "path", first: 1, ...POINTS, written: String,
       words: { add: "path.add", remove: "path.remove" }, build: card, another,
-      without: (index, { points }) => ({ points: points.filter((_, at) => at !== index) }),
+      without: (index, { path }) => ({ path: path.filter((_, at) => at !== index) }),
     }, page);
-    section("path", "path.heading", "points", [this.#course, this.#pen.button, this.#pen.hint, this.#list.cards, this.#list.add, this.#count, this.#said]);
+    section("point-path", "path.heading", "path", [this.#course, this.#pen.button, this.#pen.hint, this.#list.cards, this.#list.add, this.#count, this.#said]);
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
-    const { course = "points", points } = state.document;
+    const { course = "points", path } = state.document;
     this.#pen.render(snapshot);
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(state.document, summary, words, ...wrong)) return;
     this.#course.value = course;
-    const listed = points.length <= POINTS.most;
+    const listed = path.length <= POINTS.most;
     this.#list.cards.hidden = this.#list.add.hidden = !listed;
     this.#count.hidden = listed;
     if (listed) this.#list.show(snapshot, wrong);
-    write(this.#count, words.text("path.count", { count: words.numbers.exact(points.length) }));
+    write(this.#count, words.text("path.count", { count: words.numbers.exact(path.length) }));
     write(this.#said, saidOf(snapshot).join(" "));
   }
 }
@@ -70,20 +70,20 @@ export class TaskView {
  * @param {Snapshot} snapshot
  * @returns {Place} the next point at the distance of the last two
  */
-export function another({ state: { document: { points } } }) {
-  const [before, last] = points.slice(-2);
+export function another({ state: { document: { path } } }) {
+  const [before, last] = path.slice(-2);
   const next = (/** @type {0 | 1} */ axis) => Math.round((2 * last[axis] - before[axis]) * PARTS_OF_UNIT) / PARTS_OF_UNIT;
   return [next(0), next(1)];
 }
 
-/** @type {import("assur/controls/card-list.js").ListKind<"path", Place>["build"]} */
+/** @type {import("assur/controls/card-list.js").ListKind<"point-path", Place>["build"]} */
 function card(index, put, drafts, remove) {
   const n = String(index + 1);
   /** @type {Place} */
   let here = [0, 0];
   const boxes = AXES.map((axis, i) => {
-    const field = `points[${index}].${axis}`;
-    const input = numberField({ id: `field-point-${axis}-${n}`, "data-t-label": `field.points.${axis}`, "data-n": n });
+    const field = `path[${index}].${axis}`;
+    const input = numberField({ id: `field-point-${axis}-${n}`, "data-t-label": `field.path.${axis}`, "data-n": n });
     const box = new NumberBox(input, field, drafts, (value) => put(i === 0 ? [value, here[1]] : [here[0], value]));
     return { field, i, box, label: make("label", {}, [make("b", {}, [axis]), input]) };
   });

@@ -1,12 +1,12 @@
 // A list of linkages with their verdicts, of which one is chosen.
 import { make } from "assur/core/dom.js";
 import { html, render } from "assur/core/html.js";
-import { missedBy, typeOf, verdictOf } from "assur/kinds/path/verdict.js";
+import { missedBy, typeOf, verdictOf } from "assur/kinds/point-path/verdict.js";
 import { edited } from "assur/state/state.js";
 
 /**
- * @typedef {import("assur/kinds/path/verdict.js").Found} Found
- * @typedef {import("assur/kinds/path/verdict.js").Snapshot} Snapshot
+ * @typedef {import("assur/kinds/point-path/verdict.js").Found} Found
+ * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
  */
 
 export class TracingList {
@@ -34,7 +34,7 @@ export class TracingList {
     const chosen = JSON.stringify(document.linkage ?? null);
     const row = (/** @type {Found} */ found, /** @type {number} */ k) => {
       const n = k + 1;
-      const choose = () => this.#page.store.update((state) => edited(state, "path", () => ({ linkage: found.linkage })));
+      const choose = () => this.#page.store.update((state) => edited(state, "point-path", () => ({ linkage: found.linkage })));
       const curve = found.curve === null ? "" : ` ${words.text("path.curve", { n: String(found.curve) })}`;
       const sound = found.verdict?.passage === "continuous" && found.verdict.order !== "mixed";
       return html`<tr data-sound=${sound}><td><label for="${this.#name}-${n}"><input id="${this.#name}-${n}" type="radio" name=${this.#name} .checked=${JSON.stringify(found.linkage) === chosen} @change=${choose}> <span>${n}${curve}: ${typeOf(found, words)}</span></label><small>${missedBy(found, size, words)}; ${verdictOf(found, words)}</small></td></tr>`;

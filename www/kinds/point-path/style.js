@@ -1,4 +1,4 @@
 // The style sheet for paths. Importing this module waits until the sheet is loaded.
 import { addStyle } from "assur/core/dom.js";
 
-await addStyle("kinds/path/style.css");
+await addStyle("kinds/point-path/style.css");

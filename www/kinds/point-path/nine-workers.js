@@ -61,7 +61,7 @@ export class NineWorkers {
 
   /** @param {(event: MessageEvent) => void} receive */
   #worker(receive) {
-    const worker = new Worker(import.meta.resolve("assur/kinds/path/nine-worker.js"), { type: "module" });
+    const worker = new Worker(import.meta.resolve("assur/kinds/point-path/nine-worker.js"), { type: "module" });
     this.#workers.push(worker);
     worker.addEventListener("message", (event) => {
       if (!this.#stopped) receive(event);

@@ -1,10 +1,10 @@
 // The status line of a path: how the shown linkage traces it.
 import { degrees } from "assur/core/angles.js";
-import { missedBy, typeOf } from "assur/kinds/path/verdict.js";
+import { missedBy, typeOf } from "assur/kinds/point-path/verdict.js";
 
-/** @typedef {import("assur/kinds/path/verdict.js").Found} Found */
+/** @typedef {import("assur/kinds/point-path/verdict.js").Found} Found */
 
-/** @type {readonly { name: string, title: string, say: (found: Found, snapshot: import("assur/kinds/path/verdict.js").Snapshot) => import("assur/controls/status.js").Said | null }[]} */
+/** @type {readonly { name: string, title: string, say: (found: Found, snapshot: import("assur/kinds/point-path/verdict.js").Snapshot) => import("assur/controls/status.js").Said | null }[]} */
 const SAID = Object.freeze([
   { name: "type", title: "path.status.type", say: (found, { words }) => ({ text: typeOf(found, words) }) },
   { name: "distance", title: "path.status.distance", say: (found, { summary: { size }, words }) => ({ text: missedBy(found, size, words), value: found.greatest }) },
@@ -23,7 +23,7 @@ const SAID = Object.freeze([
 export const ENTRIES = Object.freeze(SAID.map(({ name, title, say }) => ({
   name: `path-${name}`,
   title,
-  say: (/** @type {import("assur/kinds/path/verdict.js").Snapshot} */ snapshot) => {
+  say: (/** @type {import("assur/kinds/point-path/verdict.js").Snapshot} */ snapshot) => {
     const { traced } = snapshot.summary;
     return traced ? say(traced, snapshot) : null;
   },
