@@ -264,6 +264,11 @@ async fn mobility() {
 }
 
 #[tokio::test]
+async fn poses_paths() {
+    walk("poses-paths", 0).await;
+}
+
+#[tokio::test]
 async fn run_up() {
     walk("run-up", 0).await;
 }
@@ -284,6 +289,7 @@ fn all_are_walked() {
         "mixer",
         "mixer-forces",
         "mobility",
+        "poses-paths",
         "run-up",
         "synthesis",
     ];

@@ -22,7 +22,7 @@ function copy(test) {
 test("a folder more is a lesson more", (context) => {
   const www = copy(context);
   const before = lessons(list(www));
-  assert.deepEqual(before.map(({ id }) => id), ["mixer", "class4-dwell", "synthesis", "mobility", "differential", "assemblies", "mixer-forces", "run-up"]);
+  assert.deepEqual(before.map(({ id }) => id), ["mixer", "class4-dwell", "synthesis", "mobility", "differential", "assemblies", "mixer-forces", "run-up", "poses-paths"]);
   cpSync(FIXTURE, path.join(www, "lessons/fixture"), { recursive: true });
   // The lesson has no `place`, so it comes last.
   assert.deepEqual(lessons(list(www)), [...before, { id: "fixture", about: ["chebyshev"], presets: true, paper: false, notes: false }]);

@@ -1,8 +1,9 @@
 // The pairs of dyads with their verdicts. The chosen one is drawn, goes to each pose, and opens as a linkage.
+import { readoutText } from "assur/controls/readout.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
-import { html, render } from "assur/core/html.js";
+import { html, nothing, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
 import { subscript } from "assur/core/symbols.js";
 import { FILTERS, csvOf, saidOf, typeOf, verdictOf } from "assur/kinds/poses/verdicts.js";
@@ -12,6 +13,9 @@ import { edited } from "assur/state/state.js";
  * @typedef {import("assur/kinds/poses/task.js").Snapshot} Snapshot
  * @typedef {import("assur/core/words.js").Words} Words
  */
+
+/** Name by which lessons withhold the verdicts. */
+const VERDICT = "poses-passage";
 
 export class PairsView {
   #page;
@@ -39,8 +43,8 @@ export class PairsView {
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
-    const { summary, words, state } = snapshot;
-    if (this.#shown.same(summary, words, state.document)) return;
+    const { summary, words, state, withheld } = snapshot;
+    if (this.#shown.same(summary, words, state.document, withheld)) return;
     this.#snapshot = snapshot;
     write(this.#said, saidOf(snapshot).join(" "));
     this.#list();
@@ -56,16 +60,20 @@ export class PairsView {
     if (!snapshot) return;
     const { summary: { pairs, number }, words } = snapshot;
     const listed = this.#listed(snapshot);
-    this.#filter.hidden = this.#save.disabled = pairs.length === 0;
+    this.#save.disabled = pairs.length === 0;
+    this.#filter.hidden = pairs.length === 0 || snapshot.withheld.has(VERDICT);
     this.#count.hidden = listed.length === pairs.length;
     const [shown, all] = [listed.length, pairs.length].map((count) => words.numbers.exact(count));
     write(this.#count, words.text("poses.listed", { shown, all }));
     render(listed.map((one) => this.#row(one, one === number, snapshot)), this.#body);
   }
 
-  /** @param {Snapshot} snapshot */
-  #listed({ summary: { ranking, pairs } }) {
-    return ranking.filter((number) => FILTERS[this.#filter.value](pairs[number - 1]));
+  /**
+   * @param {Snapshot} snapshot
+   * @returns {readonly number[]} numbers of the pairs that pass the filter, the best first; of all pairs if a lesson withholds the verdicts
+   */
+  #listed({ summary: { ranking, pairs }, withheld }) {
+    return withheld.has(VERDICT) ? pairs.map((_, k) => k + 1) : ranking.filter((number) => FILTERS[this.#filter.value](pairs[number - 1]));
   }
 
   /**
@@ -73,12 +81,14 @@ export class PairsView {
    * @param {boolean} chosen
    * @param {Snapshot} snapshot
    */
-  #row(number, chosen, { summary: { pairs, dyads }, words }) {
+  #row(number, chosen, { summary: { pairs, dyads }, words, withheld }) {
     const pair = pairs[number - 1];
     const choose = () => this.#page.store.update((state) => edited(state, "poses", () => ({ solution: number })));
     const name = pair.dyads.map((k) => `${dyads[k - 1].code}${subscript(String(k))}`).join(" + ");
     const type = pair.verdict ? `: ${typeOf(pair.verdict, words)}` : "";
-    return html`<tr data-sound=${pair.sound}><td><label for="pair-${number}"><input id="pair-${number}" type="radio" name="pair" .checked=${chosen} @change=${choose}> <span>${name}${type}</span></label><small>${verdictOf(pair, words)}</small></td></tr>`;
+    const hidden = withheld.has(VERDICT);
+    const verdict = hidden ? readoutText({ text: "?", asked: words.text("lesson.asked") }) : verdictOf(pair, words);
+    return html`<tr data-sound=${hidden ? nothing : pair.sound}><td><label for="pair-${number}"><input id="pair-${number}" type="radio" name="pair" .checked=${chosen} @change=${choose}> <span>${name}${type}</span></label><small>${verdict}</small></td></tr>`;
   }
 
   /**

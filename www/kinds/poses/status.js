@@ -4,14 +4,17 @@ import { typeOf } from "assur/kinds/poses/verdicts.js";
 
 /** @typedef {import("assur/kinds/poses/verdicts.js").Verdict} Verdict */
 
-/** @type {readonly { name: string, title: string, say: (verdict: Verdict, words: import("assur/core/words.js").Words) => import("assur/controls/status.js").Said | null }[]} */
+/** Content of an entry without a value. */
+const NONE = Object.freeze({ text: "–" });
+
+/** @type {readonly { name: string, title: string, say: (verdict: Verdict, words: import("assur/core/words.js").Words) => import("assur/controls/status.js").Said }[]} */
 const SAID = Object.freeze([
   { name: "type", title: "poses.status.type", say: (verdict, words) => ({ text: typeOf(verdict, words) }) },
   { name: "passage", title: "poses.heading", say: ({ passage }, words) => ({ text: words.text(`poses.passage.${passage}`) }) },
-  { name: "order", title: "poses.status.order", say: ({ passage, order }, words) => (passage === "continuous" ? { text: words.text(`poses.order.${order}`) } : null) },
+  { name: "order", title: "poses.status.order", say: ({ passage, order }, words) => (passage === "continuous" ? { text: words.text(`poses.order.${order}`) } : NONE) },
   {
     name: "transmission", title: "status.transmission",
-    say: ({ transmission }, words) => (transmission === null ? null : { text: words.numbers.angle(transmission, 2), value: degrees(transmission) }),
+    say: ({ transmission }, words) => (transmission === null ? NONE : { text: words.numbers.angle(transmission, 2), value: degrees(transmission) }),
   },
   { name: "ratio", title: "poses.ratio", say: ({ size_ratio: ratio }, words) => ({ text: words.numbers.upTo(ratio, 2), value: ratio }) },
 ]);

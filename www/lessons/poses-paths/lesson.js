@@ -1,0 +1,92 @@
+// Steps of the lesson on poses of a body: documents and questions; texts in words.*.json.
+import { degrees } from "assur/core/angles.js";
+
+/** @typedef {import("assur/state/details.js").Summaries["poses"]} Summary */
+
+/** Distance from the body's origin within which a hinge is at it, in the unit of lengths. */
+const AT_ORIGIN = 1e-6;
+
+/** Least transmission angle that the linkage of the last step may have between the poses, in degrees. */
+const TRANSMISSION = 40;
+
+/** @type {import("assur/lesson/folder.js").Lesson<"poses">} */
+export const LESSON = Object.freeze({ kind: "poses", steps: [
+  {
+    id: "poles",
+    formula: "|B₁ − A| = |B₂ − A|",
+    shows: [{ preset: "two" }],
+    controls: ["hinges"],
+    question: { integer: true, within: 0, answer: ({ freedoms }) => freedoms },
+  },
+  {
+    id: "points",
+    formula: "|W₁ − C| = |W₂ − C| = |W₃ − C|",
+    shows: [{ preset: "three" }],
+    controls: ["hinges"],
+    question: { unit: "mm", within: 0.1, answer: fromOrigin },
+  },
+  {
+    id: "curves",
+    formula: "|W_j − C| = |W₁ − C|, j = 2, 3, 4",
+    shows: [{ preset: "four" }],
+    controls: ["pairs"],
+    question: { integer: true, within: 0, answer: ({ dyads }) => dyads.filter(({ code }) => code === "PR").length },
+  },
+  {
+    id: "five",
+    formula: "3 · 3 − 2 − 3 = 4",
+    shows: [{ name: "four", preset: "five" }, { name: "two", preset: "higher" }],
+    controls: ["pairs"],
+    question: { integer: true, within: 0, answer: ({ pairs }) => pairs.length },
+  },
+  {
+    id: "defects",
+    shows: [{ name: "first", preset: "renumbered" }, { name: "second", preset: "circuit" }, { name: "third", preset: "five" }, { name: "fourth", preset: "branch" }],
+    controls: ["pairs"],
+    question: { hides: ["poses-passage", "poses-order", "poses-transmission"], choices: ["none", "order", "branch", "circuit"], answer: defect },
+  },
+  {
+    id: "design",
+    shows: [{ name: "task", preset: "task" }, { name: "ours", preset: "ours" }],
+    controls: ["hinges", "pairs"],
+    question: { unit: "°", within: 0.5, answer: transmission },
+  },
+] });
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} length of the link that is hinged at the body's origin; undefined if there is none
+ */
+function fromOrigin({ dyads }) {
+  const link = dyads.find(({ own }) => own && Math.hypot(...own) < AT_ORIGIN);
+  return link?.centre && link.point ? Math.hypot(link.point[0] - link.centre[0], link.point[1] - link.centre[1]) : undefined;
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {Summary["pairs"][number] | undefined} the shown pair
+ */
+function shown({ pairs, number }) {
+  return number === null ? undefined : pairs[number - 1];
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {string | undefined} defect of the shown linkage
+ */
+function defect(summary) {
+  const { passage, order } = shown(summary)?.verdict ?? {};
+  if (passage === "continuous") return order === "mixed" ? "order" : "none";
+  return passage && { across_dead_point: "branch", other_circuit: "circuit", through_change_point: undefined, unreached: undefined }[passage];
+}
+
+/**
+ * @param {Summary} summary
+ * @returns {number} minimum transmission angle of the shown linkage in degrees; infinite if it is not as the step asks
+ */
+function transmission(summary) {
+  const pair = shown(summary);
+  const { mechanism, turns, transmission: least } = pair?.verdict ?? {};
+  const angle = degrees(least ?? 0);
+  return pair?.sound && mechanism === "four_bar" && turns && angle >= TRANSMISSION ? angle : Infinity;
+}
