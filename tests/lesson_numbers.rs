@@ -7,6 +7,7 @@ mod flywheel;
 mod forces;
 mod mixer;
 mod mobility;
+mod poses_paths;
 mod synthesis;
 
 use std::collections::BTreeMap;
@@ -19,7 +20,7 @@ use assur_tests::files::source;
 const LANGUAGES: [&str; 4] = ["en", "ru", "uk", "kk"];
 
 /// Lessons that have notes for teachers.
-const WITH_NOTES: [&str; 7] = [
+const WITH_NOTES: [&str; 8] = [
     "mixer",
     "class4-dwell",
     "mobility",
@@ -27,6 +28,7 @@ const WITH_NOTES: [&str; 7] = [
     "synthesis",
     "mixer-forces",
     "run-up",
+    "poses-paths",
 ];
 const LESSON: Lesson = Lesson("class4-dwell");
 

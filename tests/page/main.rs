@@ -66,6 +66,7 @@ mod pixels;
 mod plots;
 mod pointer;
 mod poses;
+mod poses_lesson;
 mod print;
 mod random_user;
 mod readme;

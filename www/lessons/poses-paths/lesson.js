@@ -14,44 +14,52 @@ export const LESSON = Object.freeze({ kind: "poses", steps: [
   {
     id: "poles",
     formula: "|B₁ − A| = |B₂ − A|",
-    shows: [{ preset: "two" }],
+    shows: [{ preset: "two", at: home }],
     controls: ["hinges"],
     question: { integer: true, within: 0, answer: ({ freedoms }) => freedoms },
   },
   {
     id: "points",
     formula: "|W₁ − C| = |W₂ − C| = |W₃ − C|",
-    shows: [{ preset: "three" }],
+    shows: [{ preset: "three", at: home }],
     controls: ["hinges"],
     question: { unit: "mm", within: 0.1, answer: fromOrigin },
   },
   {
     id: "curves",
     formula: "|W_j − C| = |W₁ − C|, j = 2, 3, 4",
-    shows: [{ preset: "four" }],
+    shows: [{ preset: "four", at: home }],
     controls: ["pairs"],
     question: { integer: true, within: 0, answer: ({ dyads }) => dyads.filter(({ code }) => code === "PR").length },
   },
   {
     id: "five",
     formula: "3 · 3 − 2 − 3 = 4",
-    shows: [{ name: "four", preset: "five" }, { name: "two", preset: "higher" }],
+    shows: [{ name: "four", preset: "five", at: home }, { name: "two", preset: "higher", at: home }],
     controls: ["pairs"],
     question: { integer: true, within: 0, answer: ({ pairs }) => pairs.length },
   },
   {
     id: "defects",
-    shows: [{ name: "first", preset: "renumbered" }, { name: "second", preset: "circuit" }, { name: "third", preset: "five" }, { name: "fourth", preset: "branch" }],
+    shows: [{ name: "first", preset: "renumbered", at: home }, { name: "second", preset: "circuit", at: home }, { name: "third", preset: "five", at: home }, { name: "fourth", preset: "branch", at: home }],
     controls: ["pairs"],
     question: { hides: ["poses-passage", "poses-order", "poses-transmission"], choices: ["none", "order", "branch", "circuit"], answer: defect },
   },
   {
     id: "design",
-    shows: [{ name: "task", preset: "task" }, { name: "ours", preset: "ours" }],
+    shows: [{ name: "task", preset: "task", at: home }, { name: "ours", preset: "ours", at: home }],
     controls: ["hinges", "pairs"],
     question: { unit: "°", within: 0.5, answer: transmission },
   },
 ] });
+
+/**
+ * @param {Summary} summary
+ * @returns {number | undefined} the input of the first pose; undefined without a linkage
+ */
+function home(summary) {
+  return summary.moves === null ? undefined : summary.home;
+}
 
 /**
  * @param {Summary} summary
