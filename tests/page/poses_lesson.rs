@@ -32,7 +32,7 @@ async fn shows(page: &Page) -> Vec<String> {
 /// The verdicts of the list, and the entries of the status line on passage and order.
 async fn verdicts(page: &Page) -> Vec<String> {
     let script = "return [...document.querySelectorAll('#lesson .pairs small, #out-poses-passage, #out-poses-order')]
-        .map((one) => one.firstChild.textContent === '?' ? '?' : one.textContent)";
+        .map((one) => one.textContent.replace(' hidden until you answer', ''))";
     serde_json::from_value(page.ask(script).await).unwrap()
 }
 
