@@ -1,6 +1,7 @@
-//! The lesson on poses of a body: its numbers and claims, by elementary geometry.
+//! The lesson on poses and paths: its numbers and claims, by elementary geometry.
 
 mod notes;
+mod paths;
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-// Steps of the lesson on poses of a body: documents and questions; texts in words.*.json.
+// Steps of the lesson on poses of a body and paths of a point: documents and questions; texts in words.*.json.
 import { degrees } from "assur/core/angles.js";
 
 /** @typedef {import("assur/state/details.js").Summaries["poses"]} Summary */
@@ -8,6 +8,9 @@ const AT_ORIGIN = 1e-6;
 
 /** Least transmission angle that the linkage of the last step may have between the poses, in degrees. */
 const TRANSMISSION = 40;
+
+/** Number of real coupler curves through the nine points of the published example. */
+const REAL_CURVES = 21;
 
 /** @type {import("assur/lesson/folder.js").Lesson<"poses">} */
 export const LESSON = Object.freeze({ kind: "poses", steps: [
@@ -51,11 +54,27 @@ export const LESSON = Object.freeze({ kind: "poses", steps: [
     controls: ["hinges", "pairs"],
     question: { unit: "°", within: 0.5, answer: transmission },
   },
+  {
+    id: "nine",
+    kind: /** @type {const} */ ("path"),
+    formula: "2 + 2 + 3 + 2 = 9",
+    shows: [{ preset: "path-nine", at: home }],
+    controls: ["nine"],
+    question: { integer: true, within: 0, answer: () => REAL_CURVES },
+  },
+  {
+    id: "cognates",
+    kind: /** @type {const} */ ("path"),
+    formula: "C₀ = A + w(D − A), w = (P − B)/(C − B)",
+    shows: [{ preset: "cognates", at: home }],
+    controls: ["linkage"],
+    question: { unit: "mm", within: 0.1, answer: shortestSide },
+  },
 ] });
 
 /**
- * @param {Summary} summary
- * @returns {number | undefined} the input of the first pose; undefined without a linkage
+ * @param {Summary | import("assur/state/details.js").Summaries["path"]} summary
+ * @returns {number | undefined} the drawn input, that of the first pose; undefined without a linkage
  */
 function home(summary) {
   return summary.moves === null ? undefined : summary.home;
@@ -97,4 +116,14 @@ function transmission(summary) {
   const { mechanism, turns, transmission: least } = pair?.verdict ?? {};
   const angle = degrees(least ?? 0);
   return pair?.sound && mechanism === "four_bar" && turns && angle >= TRANSMISSION ? angle : Infinity;
+}
+
+/**
+ * @param {import("assur/state/details.js").Summaries["path"]} summary
+ * @returns {number | undefined} shortest side of the triangle of the fixed pivots of the cognates; undefined if there is no such triangle
+ */
+function shortestSide({ traced, cognates: [cognate] }) {
+  if (!traced || !cognate || !("four_bar" in traced.linkage) || !("four_bar" in cognate)) return undefined;
+  const pivots = [...traced.linkage.four_bar.pivots, cognate.four_bar.pivots[1]];
+  return Math.min(...pivots.map(([x, y], k) => Math.hypot(x - pivots[(k + 1) % 3][0], y - pivots[(k + 1) % 3][1])));
 }
