@@ -48,7 +48,7 @@ fn the_third_pivot_stands_still() {
     let pivot = a + w * (d - a);
     let lengths = [b - a, c - b, c - d, d - a].map(|side| side.norm());
     let bar = FourBar::new(lengths).unwrap();
-    for (k, [x, y]) in (0..).zip(&document.points) {
+    for (k, [x, y]) in (0..).zip(&document.path) {
         let pose = bar.pose::<1>(Assembly::First, f64::from(90 + 45 * k).to_radians());
         let pose = pose.unwrap();
         let b = a + Complex::from_polar(lengths[0], f64::from(90 + 45 * k).to_radians());

@@ -56,7 +56,7 @@ export const LESSON = Object.freeze({ kind: "poses", steps: [
   },
   {
     id: "nine",
-    kind: /** @type {const} */ ("path"),
+    kind: /** @type {const} */ ("point-path"),
     formula: "2 + 2 + 3 + 2 = 9",
     shows: [{ preset: "path-nine", at: home }],
     controls: ["nine"],
@@ -64,16 +64,16 @@ export const LESSON = Object.freeze({ kind: "poses", steps: [
   },
   {
     id: "cognates",
-    kind: /** @type {const} */ ("path"),
+    kind: /** @type {const} */ ("point-path"),
     formula: "C₀ = A + w(D − A), w = (P − B)/(C − B)",
     shows: [{ preset: "cognates", at: home }],
-    controls: ["linkage"],
+    controls: ["traced"],
     question: { unit: "mm", within: 0.1, answer: shortestSide },
   },
 ] });
 
 /**
- * @param {Summary | import("assur/state/details.js").Summaries["path"]} summary
+ * @param {Summary | import("assur/state/details.js").Summaries["point-path"]} summary
  * @returns {number | undefined} the drawn input, that of the first pose; undefined without a linkage
  */
 function home(summary) {
@@ -119,7 +119,7 @@ function transmission(summary) {
 }
 
 /**
- * @param {import("assur/state/details.js").Summaries["path"]} summary
+ * @param {import("assur/state/details.js").Summaries["point-path"]} summary
  * @returns {number | undefined} shortest side of the triangle of the fixed pivots of the cognates; undefined if there is no such triangle
  */
 function shortestSide({ traced, cognates: [cognate] }) {
