@@ -110,7 +110,7 @@ export type CourseSummary = {
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], };
 export type CurvatureHere = { circles: Array<CircleHere>, inflection: InflectionHere | null, };
 export type CycleHere = { 
 /** Mean rate of the methods. */ rate: number, 
@@ -228,7 +228,7 @@ limits: BodyNumbers | null,
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], };
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], };
 export type GreatestForces = { greatest: Array<GreatestHere>, 
 /**
  * Number of poses in which they are sought, and in how many of these friction holds the linkage whatever the
@@ -256,7 +256,7 @@ export type GuidedSummary = { four_bars: Array<FourBarSummary>, points: Array<st
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, 
 /**
@@ -313,7 +313,7 @@ export type LinkageSummary = { dimensions: Array<DimensionSummary>,
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type ListedSummary = { name: string, 
@@ -357,7 +357,7 @@ export type MixerSummary = {
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MobilitySummary = { links: number, one_freedom: number, two_freedoms: number, mobility: number, passive: number, };
@@ -369,7 +369,7 @@ export type MotionSummary = { four_bars: Array<FourBarSummary>, points: Array<st
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type MotionsMap = { 
@@ -528,7 +528,7 @@ export type SynthesisSummary = {
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };
 export type TaskSummary = { 
@@ -557,7 +557,7 @@ export type TracedSummary = { four_bars: Array<FourBarSummary>, points: Array<st
 /** Choices of the page that plot a group of quantities together, such as `angles`. */ overviews: Array<string>, plotted: Array<string>, 
 /** Quantities of the drawn curves: the plotted ones, or the two plotted against each other. */ curves: Array<string>, handles: Array<HandleSummary>, 
 /** Whether points of the links can be traced. */ traceable: boolean, 
-/** Other kinds of document into which this document can be converted. */ becomes: readonly "scheme"[], bounds: [number, number, number, number], counts: CountsSummary, 
+/** Other kinds of document into which this document can be converted. */ becomes: readonly ("scheme" | "point-path")[], bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, 
 /**

@@ -1,12 +1,14 @@
 //! Paths on the page: typed, drawn by the hand, searched, through nine points, cognates.
 
 use serde_json::json;
+use thirtyfour::Key;
 
 use crate::access::named_and_fits;
 use crate::browser::Page;
 use crate::device::languages;
 use crate::host::home;
 use crate::layout::defects;
+use crate::picture_behind::{FROM, SCAN, file};
 
 /// The page with a task of the catalogue, at rest.
 async fn open(name: &str) -> Page {
@@ -86,7 +88,7 @@ async fn four_bars_through_nine_points() {
     page.settle().await;
     let verdict = page.text("path-verdict").await;
     assert!(
-        verdict.contains(": exact. all points in one motion"),
+        verdict.contains(": exact; all points in one motion"),
         "{verdict}"
     );
     assert_eq!(page.count("#path-go-9").await, 1);
@@ -148,13 +150,41 @@ async fn a_curve_is_drawn_and_searched() {
     page.close().await;
 }
 
+/// A photograph is painted behind the path, stays while a curve is drawn over it, and is removed.
+#[tokio::test]
+async fn a_photograph_is_put_behind_the_path() {
+    let page = open("path-nine").await;
+    assert_eq!(page.picture("mechanism").await.cloud(FROM).count, 0);
+    let scan = file("path.svg", SCAN);
+    page.choose_file("path-photograph-file", &scan).await;
+    page.until("the photograph", async || {
+        let remove = page.element("path-photograph-remove").await;
+        remove.is_displayed().await.unwrap()
+    })
+    .await;
+    page.press("path-photograph-opacity", Key::End).await;
+    assert!(page.picture("mechanism").await.cloud(FROM).count > 50);
+    page.write("field-point-x-2", "1.3").await;
+    assert!(page.picture("mechanism").await.cloud(FROM).count > 50);
+    page.click("path-photograph-remove").await;
+    page.settle().await;
+    assert_eq!(page.picture("mechanism").await.cloud(FROM).count, 0);
+    page.choose_file("path-photograph-file", &file("path.txt", "none"))
+        .await;
+    page.until("the reason", async || {
+        !page.text("problem").await.is_empty()
+    })
+    .await;
+    page.close().await;
+}
+
 /// A cognate has the same distances; a geared five-bar opens in the simulator.
 #[tokio::test]
 async fn cognates_trace_the_same_curve() {
     let page = open("path-drawn").await;
     let distance = |verdict: String| {
         verdict
-            .split(". ")
+            .split("; ")
             .next()
             .unwrap()
             .rsplit(' ')

@@ -265,6 +265,16 @@ async fn nothing_breaks_in_a_synthesis() {
 }
 
 #[tokio::test]
+async fn nothing_breaks_in_poses() {
+    wander("#poses-three&v.playing=false", &[]).await;
+}
+
+#[tokio::test]
+async fn nothing_breaks_along_a_path() {
+    wander("#path-nine&v.playing=false", &[]).await;
+}
+
+#[tokio::test]
 async fn nothing_breaks_in_a_scheme() {
     wander(SCHEME, &[]).await;
 }

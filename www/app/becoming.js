@@ -3,6 +3,10 @@ import { byId, make } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow } from "assur/state/change.js";
 
+/** Field of the page that shows why a document cannot be converted, and how long it does, in milliseconds. */
+const FIELD = "become";
+const MESSAGE_PERIOD = 8000;
+
 export class Becoming {
   #page;
   #entries = byId("menu-entries", HTMLElement);
@@ -25,18 +29,26 @@ export class Becoming {
   }
 
   /**
-   * @param {"scheme"} kind
+   * @param {"scheme" | "point-path"} kind
    * @param {import("assur/core/words.js").Words} words
    */
   #add(kind, words) {
     const page = this.#page;
     const button = make("button", { id: `become-${kind}`, type: "button", "data-t": `become.${kind}` });
     button.addEventListener("click", () => {
-      const made = attempt(() => page.engine.simulator.asKind(kind, inputNow(page))).value;
+      const { value: made, problems } = attempt(() => page.engine.simulator.asKind(kind, inputNow(page)));
       if (made) page.choose(made.kind, made.document);
+      else this.#refuse(problems);
     });
     this.#buttons.set(kind, button);
     this.#entries.append(button);
     words.fill(this.#entries);
+  }
+
+  /** @param {readonly import("assur/core/problem.js").Problem[]} problems */
+  #refuse(problems) {
+    const { drafts } = this.#page;
+    drafts.keep(FIELD, problems);
+    setTimeout(() => drafts.drop(FIELD), MESSAGE_PERIOD);
   }
 }

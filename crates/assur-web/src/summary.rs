@@ -15,7 +15,7 @@ use assur_draw::Figure;
 use serde::Serialize;
 
 use crate::capabilities::Moves;
-use crate::kinds::BECOMES;
+use crate::kinds::becomes;
 use crate::moving::Moving;
 
 /// Summary of the drawing and the structure of a linkage.
@@ -62,7 +62,7 @@ pub(crate) struct CourseSummary<'a> {
     /// Whether points of the links can be traced.
     pub(crate) traceable: bool,
     /// Other kinds of document into which this document can be converted.
-    #[cfg_attr(test, ts(type = "readonly \"scheme\"[]"))]
+    #[cfg_attr(test, ts(type = "readonly (\"scheme\" | \"point-path\")[]"))]
     pub(crate) becomes: &'static [&'static str],
 }
 
@@ -310,7 +310,7 @@ impl<'a> MotionSummary<'a> {
                 .collect(),
             handles: handles.collect(),
             traceable: moving.traceable(),
-            becomes: &BECOMES,
+            becomes: becomes(moving),
         };
         Self {
             course,

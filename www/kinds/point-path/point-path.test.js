@@ -153,6 +153,25 @@ test("a drawn line is thinned at equal distances, and closed if its ends are nea
   assert.deepEqual(thinned(circle.slice(0, 20), 50), circle.slice(0, 20));
 });
 
+test("a linkage with a traced coupler point becomes a path of its own curve, with itself as the linkage", () => {
+  let count = 0;
+  for (const id of ["chebyshev", "hoeken", "evans", "jansen", "crank-rocker", "pantograph"]) {
+    const state = stateOf(engine, id);
+    const summary = engine.set(state);
+    if (!summary.becomes.includes("point-path")) continue;
+    try {
+      const made = engine.simulator.asKind("point-path", summary.home);
+      const { distances, size } = engine.set(initialState(made.kind, made.document, {}));
+      assert.ok(Math.max(...distances) < 1e-8 * size, `${id}: ${Math.max(...distances)}`);
+      count += 1;
+    } catch (thrown) {
+      if (!thrown.problems) throw thrown;
+      assert.deepEqual(thrown.problems, [{ code: "no_coupler_point" }], id);
+    }
+  }
+  assert.ok(count >= 2, `${count}`);
+});
+
 test("a new point continues the last two", () => {
   assert.deepEqual(another({ state: { document: { path: [[0, 0], [1, 0.5]] } } }), [2, 1]);
 });

@@ -8,7 +8,7 @@ import { missedBy, typeOf } from "assur/kinds/point-path/verdict.js";
 const SAID = Object.freeze([
   { name: "type", title: "path.status.type", say: (found, { words }) => ({ text: typeOf(found, words) }) },
   { name: "distance", title: "path.status.distance", say: (found, { summary: { size }, words }) => ({ text: missedBy(found, size, words), value: found.greatest }) },
-  { name: "passage", title: "path.heading", say: ({ verdict }, { words }) => (verdict ? { text: words.text(`path.passage.${verdict.passage}`) } : null) },
+  { name: "passage", title: "path.status.passage", say: ({ verdict }, { words }) => (verdict ? { text: words.text(`path.passage.${verdict.passage}`) } : null) },
   {
     name: "order", title: "path.status.order",
     say: ({ verdict }, { words }) => (verdict?.passage === "continuous" ? { text: words.text(`path.order.${verdict.order}`) } : null),

@@ -5,6 +5,7 @@ import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { Pen } from "assur/kinds/point-path/pen.js";
+import { Photograph } from "assur/kinds/point-path/photograph.js";
 import { saidOf } from "assur/kinds/point-path/verdict.js";
 import { edited } from "assur/state/state.js";
 
@@ -31,12 +32,14 @@ export class TaskView {
   #count = make("p", { id: "path-count" });
   #said = make("p", { id: "path-said" });
   #pen;
+  #photograph;
   #shown = new Seen();
 
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#store = page.store;
     this.#pen = new Pen(page);
+    this.#photograph = new Photograph(page);
     this.#course.addEventListener("change", () => {
       const course = COURSES[this.#course.selectedIndex];
       this.#store.update((state) => edited(state, "point-path", () => ({ course, linkage: null })));
@@ -46,7 +49,7 @@ export class TaskView {
       words: { add: "path.add", remove: "path.remove" }, build: card, another,
       without: (index, { path }) => ({ path: path.filter((_, at) => at !== index) }),
     }, page);
-    section("point-path", "path.heading", "path", [this.#course, this.#pen.button, this.#pen.hint, this.#list.cards, this.#list.add, this.#count, this.#said]);
+    section("point-path", "path.heading", "path", [this.#course, this.#pen.button, this.#pen.hint, this.#photograph.element, this.#list.cards, this.#list.add, this.#count, this.#said]);
   }
 
   /** @param {Snapshot} snapshot */
@@ -54,6 +57,7 @@ export class TaskView {
     const { state, problems, words, summary } = snapshot;
     const { course = "points", path } = state.document;
     this.#pen.render(snapshot);
+    this.#photograph.render(snapshot);
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(state.document, summary, words, ...wrong)) return;
     this.#course.value = course;

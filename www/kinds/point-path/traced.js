@@ -41,7 +41,7 @@ export class TracedView {
     };
     const bars = geared.map((one, k) => html`<button id="path-geared-${k + 1}" class="control" type="button" @click=${open(one)}>${words.text("path.geared", { n: String(k + 1) })}</button>`);
     render(html`
-      <p id="path-verdict">${typeOf(traced, words)}: ${missedBy(traced, size, words)}. ${verdictOf(traced, words)}.</p>
+      <p id="path-verdict">${typeOf(traced, words)}: ${missedBy(traced, size, words)}; ${verdictOf(traced, words)}.</p>
       ${this.#points(snapshot)}
       ${this.#cognates(snapshot)}
       ${bars.length > 0 ? html`<div class="path-go" role="group" aria-label=${words.text("path.five_bars")}>${bars}</div>` : nothing}

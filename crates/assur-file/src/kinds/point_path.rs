@@ -84,6 +84,8 @@ pub enum PathProblem {
     },
     /// No linkage traces the path.
     NoTracing,
+    /// No traced point is on the coupler of a four-bar or on the rod of a slider-crank.
+    NoCouplerPoint,
     /// The places of a slider-crank leave a part of it without a length.
     NoSliderCrank,
     /// Only nine points determine a finite number of four-bars.

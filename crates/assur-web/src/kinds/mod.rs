@@ -48,16 +48,24 @@ pub(crate) fn open_after(
     })
 }
 
-/// Kinds of document into which any moving linkage can be converted.
-pub(crate) const BECOMES: [&str; 1] = ["scheme"];
+/// Kinds of document into which a moving linkage can be converted: a path only if a point is traced.
+pub(crate) fn becomes(moving: &Moving) -> &'static [&'static str] {
+    let document = moving.document();
+    if document.traces.is_empty() && document.tracers.is_empty() {
+        &["scheme"]
+    } else {
+        &["scheme", "point-path"]
+    }
+}
 
 /// Converts a moving linkage, in the pose at an input, to a document of another kind.
 ///
 /// # Errors
-/// An unknown kind, or one that cannot be made from a moving linkage; no pose at this input.
+/// An unknown kind, or one that cannot be made from this linkage; no pose at this input.
 pub(crate) fn as_kind(kind: &str, moving: &Moving, input: f64) -> Result<Document, Problem> {
     match kind {
         "scheme" => scheme::of(moving, input).map(Document::Scheme),
+        "point-path" => point_path::of(moving, input).map(Document::Path),
         other => Err(unknown(other)),
     }
 }

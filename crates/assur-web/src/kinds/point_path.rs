@@ -5,9 +5,14 @@ pub(crate) mod summary;
 
 use assur::Point;
 use assur::mechanism::Quantity;
-use assur::synthesis::approximation::{Course, Traced};
+use assur::motion::{Sampling, Spacing};
+use assur::synthesis::approximation::{Course, Traced, Tracing};
+use assur::synthesis::cognates::{CouplerFourBar, CouplerSliderCrank};
 use assur_draw::{Annotations, Guidance, GuidanceSheet, Role};
-use assur_file::{Document, LinkageProblem, Moved, PathDocument, PathTask, Problem, State};
+use assur_file::{
+    CourseDocument, Document, LinkageProblem, Moved, PathDocument, PathProblem, PathTask, Problem,
+    State,
+};
 use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
 
@@ -62,6 +67,51 @@ impl Path {
             sheet,
         })
     }
+}
+
+/// Converts a moving linkage to the path of its first traced point that is on the coupler of a four-bar or on the rod of
+/// a slider-crank, with that linkage.
+///
+/// # Errors
+/// No pose at this input; no such point.
+pub(crate) fn of(moving: &Moving, input: f64) -> Result<PathDocument, Problem> {
+    let (mechanism, motion) = (moving.mechanism(), moving.motion());
+    let pose = moving.pose(input)?;
+    let document = moving.document();
+    let tracers = document.tracers.iter().map(|tracer| &tracer.name);
+    let tracing = document.traces.iter().chain(tracers).find_map(|name| {
+        let four_bar = CouplerFourBar::of(mechanism, &pose, name).map(Tracing::FourBar);
+        let slider_crank = || CouplerSliderCrank::of(mechanism, &pose, name);
+        let found = four_bar.or_else(|| slider_crank().map(Tracing::SliderCrank))?;
+        Some((mechanism.point(name)?, found))
+    });
+    let (point, tracing) = tracing.ok_or(PathProblem::NoCouplerPoint)?;
+    let inputs = motion.samples(Sampling {
+        turn: MOST_HANDLES,
+        coarsest: MOST_HANDLES,
+        most: MOST_HANDLES,
+        spacing: Spacing::Even,
+        shown: assur::motion::Shown::First,
+    });
+    let is_full = motion.cycle().is_full();
+    let places = inputs.iter().flatten().filter_map(|input| {
+        let pose = motion.pose::<1>(*input).ok()?;
+        Some(mechanism.place(&pose, point).place().into())
+    });
+    let mut path: Vec<[f64; 2]> = places.collect();
+    if is_full {
+        path.pop();
+    }
+    Ok(PathDocument {
+        unit: document.unit,
+        course: if is_full {
+            CourseDocument::Closed
+        } else {
+            CourseDocument::Open
+        },
+        path,
+        linkage: Some((&tracing).into()),
+    })
 }
 
 /// The path as it is drawn. `distances` are those of its points from the traced curve.
