@@ -20,6 +20,9 @@ const EDIT = { edit: "place", point: "B", at: [1, 1] };
 const ENDS = { x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] };
 const FUNCTION = { ...state, kind: "synthesis", document: { frame: 1, positions: [], function: { of: "log10", ...ENDS } } };
 
+const PATH = { ...state, kind: "point-path", document: { path: [[0, 0], [1, 0], [1, 1]] } };
+const PAGE = { frame: 3, point: [0.5, 0.5] };
+
 /** Arguments of each method of a simulator. */
 const METHODS = {
   set: [state], lengths: [], choosesLengths: [], labelNames: [], scene: [], at: [INPUT], plotted: [INPUT], why: [INPUT], readouts: [], drag: ["B", INPUT, 1, 1],
@@ -30,7 +33,7 @@ const METHODS = {
 
 /** Arguments of each function of the module. */
 const FUNCTIONS = {
-  blank: [], catalogue: [], checkKeys: ["{}"], functionPositions: [FUNCTION, 3, false], isImport: ["{}"], numbersOf: [state], qrCode: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
+  blank: [], catalogue: [], checkKeys: ["{}"], functionPositions: [FUNCTION, 3, false], isImport: ["{}"], numbersOf: [state], pathAtlas: [PATH, PAGE], pathOfCell: [PATH, PAGE, 3], qrCode: ["text"], readImport: ["{}"], readLesson: [{}], readState: [state], roleNames: [],
   shelves: [], task: [1], defaultView: [], mixers: [],
 };
 

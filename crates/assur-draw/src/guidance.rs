@@ -69,7 +69,9 @@ impl Guidance {
             let look = if *dashed { Look::Dashed } else { Look::Line };
             list.polyline(*role, look, points);
         }
-        list.polyline(PATH, Look::Dashed, &self.path);
+        if !self.path.is_empty() {
+            list.polyline(PATH, Look::Dashed, &self.path);
+        }
         let (numbers, letters) = names.split_at(self.poses.len().min(names.len()));
         let (letters, marks) = letters.split_at(self.points.len().min(letters.len()));
         for (pose, name) in self.poses.iter().zip(numbers) {

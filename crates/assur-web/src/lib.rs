@@ -60,7 +60,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 const TYPES: &str = r#"
 import type { Edit } from "assur/types/edit.js";
 import type { DocumentOf, LengthUnit, LessonDocument, LinkageDocument, NumberField, PositionDocument, Preset, Problem, Shelf, View } from "assur/types/file.js";
-import type { AssembliesHere, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, CycleHere, Drawn, EquationSummary, EquilibriumHere, ForcePlanHere, ForcesHere, FoundTracing, FreeBodyHere, GreatestForces, Here, Imported, Kind, LeverHere, LinkHere, MassHere, MotionsMap, NinePointProgress, OutputSummary, PathWork, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, RunHere, State, StepSummary, StudentSheet, Summaries, SweepTable, Traced, TracingProgress, TracingWishes, TransmissionSummary, Wishes } from "assur/types/web.js";
+import type { AssembliesHere, AtlasHere, AtlasPage, Belonging, Changed, ChartLayout, ChartRequest, CurvatureHere, CycleHere, Drawn, EquationSummary, EquilibriumHere, ForcePlanHere, ForcesHere, FoundTracing, FreeBodyHere, GreatestForces, Here, Imported, Kind, LeverHere, LinkHere, MassHere, MotionsMap, NinePointProgress, OutputSummary, PathWork, PolygonsHere, ProfileSummary, ReadoutId, RelationHere, RunHere, State, StepSummary, StudentSheet, Summaries, SweepTable, Traced, TracingProgress, TracingWishes, TransmissionSummary, Wishes } from "assur/types/web.js";
 export interface Simulator {
     set<K extends Kind>(state: State<K>): Summaries[K];
     asKind<K extends Kind>(kind: K, input: number): DocumentOf<K>;
@@ -70,6 +70,8 @@ export interface Simulator {
 pub use assemblies::AllMotions;
 pub use design::Design;
 pub use imported::{is_import, read_import};
+pub use kinds::point_path::atlas::{path_atlas, path_of_cell};
+pub use kinds::point_path::search::{NinePointSearch, NinePointWorker, PathSearch};
 pub use numbers::numbers_of;
 pub use offered::{
     blank, catalogue, default_view, function_positions, mixers, role_names, shelves, task,

@@ -1,5 +1,6 @@
 //! A path on the page, with a linkage whose point traces it.
 
+pub(crate) mod atlas;
 pub(crate) mod search;
 pub(crate) mod summary;
 

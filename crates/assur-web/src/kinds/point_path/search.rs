@@ -64,7 +64,7 @@ pub struct PathSearch {
     search: Search,
 }
 
-fn document(state: &JsValue) -> Result<PathDocument, JsValue> {
+pub(super) fn document(state: &JsValue) -> Result<PathDocument, JsValue> {
     let state: State = read(state)?;
     match state.document {
         Document::Path(document) => Ok(document),
@@ -73,7 +73,7 @@ fn document(state: &JsValue) -> Result<PathDocument, JsValue> {
 }
 
 impl FoundTracing {
-    fn of(found: &Approximation) -> Self {
+    pub(super) fn of(found: &Approximation) -> Self {
         Self {
             linkage: (&found.linkage).into(),
             greatest: found.deviation.greatest,

@@ -1,11 +1,20 @@
 //! An atlas of coupler curves: a map over two ratios of lengths, for one or more points of the coupler (after J. A.
 //! Hrones and G. L. Nelson, *Analysis of the Four-Bar Linkage*, 1951, who printed 7,300 such curves).
 
+use std::f64::consts::TAU;
+
 use nalgebra::Complex;
 
-use super::compare::Pattern;
-use super::target::Target;
+use super::approximation::Approximation;
+use super::compare::{Candidate, PARTS, Part, Pattern};
+use super::curve::{Curve, Kind};
+use super::distance::Deviation;
+use super::fitted::Fitted;
+use super::target::{Course, Target};
 use crate::{Assembly, FourBar, Grashof, Link, Offset, Point};
+
+/// Places of a closed curve from which a part is compared with an open path.
+const STARTS: usize = 24;
 
 /// A length relative to the crank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,7 +120,7 @@ impl Atlas {
 
     /// Number of cells.
     pub fn count(&self) -> usize {
-        self.axes[0].count * self.axes[1].count * self.points.len()
+        self.plane() * self.points.len()
     }
 
     /// Cells of a range of indices, so that they can be computed in parts. The first axis runs fastest, then the
@@ -129,9 +138,46 @@ impl Atlas {
             .collect()
     }
 
-    fn cell(&self, index: usize, places: usize, pattern: Option<&Pattern>) -> Cell {
+    /// The linkage of a cell in the place, size and direction in which its curve, or for an open path a part of it, is
+    /// nearest to a path. None if the lengths form no linkage that can be placed, or for crank angles.
+    pub fn nearest(&self, index: usize, target: &Target) -> Option<Approximation> {
+        let pattern = Pattern::new(target);
+        if index >= self.count() || pattern.timed() {
+            return None;
+        }
+        let lengths = self.lengths(index);
+        let [along, across] = self.points[index / self.plane()];
+        let [_, x, y, z] = lengths.map(f64::ln);
+        let curve = Curve::new(Kind::FourBar, [x, y, z], Complex::new(along, across))?;
+        let parts: Vec<Part> = if target.course() == Course::Closed {
+            vec![Part::Whole]
+        } else {
+            let starts = (0..STARTS).map(|k| TAU * k as f64 / STARTS as f64);
+            let parts = starts.flat_map(|start| PARTS.map(|span| Part::Arc([start, TAU * span])));
+            parts.collect()
+        };
+        let candidates = parts.into_iter().flat_map(|part| {
+            [false, true].map(|mirrored| Candidate {
+                curve,
+                mirrored,
+                part,
+            })
+        });
+        let compared = candidates.map(|candidate| (pattern.compare(&candidate), candidate));
+        let best = compared.min_by(|(a, _), (b, _)| a.defect.total_cmp(&b.defect));
+        let (found, candidate) = best.filter(|(found, _)| found.defect.is_finite())?;
+        let fitted = Fitted::new(&candidate, &found, target)?;
+        Approximation::new(&fitted, Deviation::of(&fitted, target), target)
+    }
+
+    /// Number of cells for one coupler point.
+    fn plane(&self) -> usize {
+        self.axes[0].count * self.axes[1].count
+    }
+
+    /// Lengths l₁ … l₄ of a cell.
+    fn lengths(&self, index: usize) -> [f64; 4] {
         let [across, up] = self.axes;
-        let point = index / (across.count * up.count);
         let values = [
             (across.ratio, across.value(index % across.count)),
             (up.ratio, up.value(index / across.count % up.count)),
@@ -141,6 +187,11 @@ impl Atlas {
         for (ratio, value) in values {
             lengths[1 + ratio as usize] = value;
         }
+        lengths
+    }
+
+    fn cell(&self, index: usize, places: usize, pattern: Option<&Pattern>) -> Cell {
+        let (lengths, point) = (self.lengths(index), index / self.plane());
         let linkage = FourBar::new(lengths).ok();
         let [along, across] = self.points[point];
         let offset = Offset { along, across };
@@ -205,7 +256,7 @@ fn curve(linkage: &FourBar, offset: Offset, places: usize) -> Vec<Point> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::synthesis::approximation::Course;
+    use crate::synthesis::approximation::Tracing;
 
     fn axis(ratio: Ratio, range: [f64; 2], count: usize) -> Axis {
         Axis {
@@ -221,6 +272,34 @@ mod tests {
             axis(Ratio::Rocker, [1.5, 6.0], 5),
         ];
         Atlas::new(axes, 3.0, points).unwrap()
+    }
+
+    /// The curve of a cell, moved, turned and doubled, is met by the linkage of that cell; so is a part of it.
+    #[test]
+    fn the_linkage_of_a_cell_is_placed_on_the_path() {
+        let atlas = atlas(&[[0.5, 0.5]]);
+        let curve = atlas.cells(7..8, 97, None).remove(0).curve;
+        let turned = |at: &Point| {
+            let (sin, cos) = 0.7_f64.sin_cos();
+            Point::new(
+                3.0 + 2.0 * (cos * at.x - sin * at.y),
+                2.0 * (sin * at.x + cos * at.y) - 1.0,
+            )
+        };
+        let points: Vec<Point> = curve.iter().map(turned).collect();
+        let closed = Target::new(&points, Course::Closed, None).unwrap();
+        let found = atlas.nearest(7, &closed).unwrap();
+        assert!(found.deviation.greatest < 2e-2, "{:?}", found.deviation);
+        let Tracing::FourBar(linkage) = found.linkage else {
+            panic!("a four-bar");
+        };
+        for (length, expected) in linkage.lengths().into_iter().zip([2.0, 4.0, 6.0, 6.0]) {
+            assert!((length - expected).abs() < 1e-2, "{:?}", linkage.lengths());
+        }
+        let open = Target::new(&points[..40], Course::Open, None).unwrap();
+        let found = atlas.nearest(7, &open).unwrap();
+        assert!(found.deviation.greatest < 0.2, "{:?}", found.deviation);
+        assert!(atlas.nearest(15, &closed).is_none());
     }
 
     /// Coupler 1, 2, 4 and rocker 1.5 … 6 on a frame of 3: coupler 2 and rocker 3 are cell 1 + 3·2, a crank-rocker.

@@ -15,7 +15,7 @@ pub(super) const PLACES: usize = 24;
 /// Number of poses of a candidate.
 const POSES: usize = 32;
 /// Parts of a closed curve that are compared with an open path.
-const PARTS: [f64; 6] = [0.15, 0.25, 0.4, 0.6, 0.8, 1.0];
+pub(super) const PARTS: [f64; 6] = [0.15, 0.25, 0.4, 0.6, 0.8, 1.0];
 
 /// Part of the motion that a candidate compares with the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
