@@ -60,6 +60,17 @@ export type AssemblyHere = {
 /** Number by which the page shows and chooses the assembly. A mixer has its own numbering. */ number: number, 
 /** Angle of the link by which assemblies are numbered, in [0, 2π); 0 if there is no such link. */ angle: number, 
 /** Poses of the bodies, in the format of a frame of the animation. */ bodies: Array<number>, };
+export type AtlasCell = { 
+/** Lengths of coupler, rocker and frame; the crank is 1. */ lengths: [number, number, number], 
+/** Grashof type; null if the lengths form no linkage. */ grashof: string | null, 
+/** Minimum transmission angle of the motion, radians. */ transmission: number | null, 
+/** From 0, a curve of the shape of the path, to 1. */ unlikeness: number | null, 
+/** Coordinates of the places of the curve, x and y in turn. */ curve: Array<number>, };
+export type AtlasHere = { 
+/** Number of values on each axis: the coupler runs fastest. */ count: number, cells: Array<AtlasCell>, };
+export type AtlasPage = { 
+/** Length of the frame relative to the crank. */ frame: number, 
+/** The coupler point: shares of the coupler's length along it and to its left. */ point: [number, number], };
 export type AxisLayout = { 
 /** Name of the quantity; none for the input. */ name: string | null, 
 /** The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle. */ number: string | null, order: 0 | 1 | 2, kind: "angle" | "length" | "force" | "torque", from: number, to: number, ticks: Array<TickLayout>, };

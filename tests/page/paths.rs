@@ -178,6 +178,38 @@ async fn a_photograph_is_put_behind_the_path() {
     page.close().await;
 }
 
+/// The atlas is opened; by keys and by a press a linkage is placed on the path; another frame gives other curves.
+#[tokio::test]
+async fn a_curve_of_the_atlas_is_placed() {
+    let page = open("path-drawn").await;
+    page.ask("document.getElementById('path-atlas-fold').open = true")
+        .await;
+    page.until("the atlas", async || {
+        !page.text("path-atlas-told").await.is_empty()
+    })
+    .await;
+    let before = page.text("path-verdict").await;
+    let drawn = page.picture("path-atlas").await;
+    page.press("path-atlas-frame", Key::End).await;
+    assert!(page.picture("path-atlas").await.difference(&drawn) > 300);
+    page.press("path-atlas-frame", Key::Home).await;
+    let cell = async || page.attribute("path-atlas", "data-cell").await;
+    for _ in 0..5 {
+        page.press("path-atlas", Key::Up).await;
+        page.press("path-atlas", Key::Right).await;
+    }
+    assert_eq!(cell().await.as_deref(), Some("65"));
+    page.press("path-atlas", Key::Enter).await;
+    page.settle().await;
+    let told = page.text("path-atlas-told").await;
+    assert!(told.contains("Placed: greatest distance"), "{told}");
+    assert_ne!(page.text("path-verdict").await, before);
+    page.click("undo").await;
+    page.settle().await;
+    assert_eq!(page.text("path-verdict").await, before);
+    page.close().await;
+}
+
 /// A cognate has the same distances; a geared five-bar opens in the simulator.
 #[tokio::test]
 async fn cognates_trace_the_same_curve() {

@@ -1,5 +1,6 @@
 // Views for a path. Loaded with the first path.
 import { StatusLine } from "assur/controls/status.js";
+import { AtlasView } from "assur/kinds/point-path/atlas.js";
 import { Description } from "assur/kinds/point-path/description.js";
 import { NinePointsView } from "assur/kinds/point-path/nine-points.js";
 import { SearchView } from "assur/kinds/point-path/search.js";
@@ -12,4 +13,4 @@ import "assur/kinds/point-path/style.js";
 export const words = "kinds/point-path/later.*";
 
 /** @type {import("assur/app/views.js").Make} */
-export const views = (page) => [new TaskView(page), new TracedView(page), new SearchView(page), new NinePointsView(page), new StatusLine("point-path", ENTRIES, page), new Description()];
+export const views = (page) => [new TaskView(page), new TracedView(page), new SearchView(page), new NinePointsView(page), new AtlasView(page), new StatusLine("point-path", ENTRIES, page), new Description()];

@@ -172,6 +172,23 @@ test("a linkage with a traced coupler point becomes a path of its own curve, wit
   assert.ok(count >= 2, `${count}`);
 });
 
+test("the curve of a cell of the atlas, taken as the path, is like itself, and its linkage is placed on it", () => {
+  const page = { frame: 3, point: [0.5, 0.5] };
+  const { count, cells } = engine.functions.pathAtlas(asked(FIVE).state, page);
+  assert.equal(cells.length, count * count);
+  const index = cells.findIndex(({ grashof }) => grashof === "crank_rocker");
+  const { curve } = cells[index];
+  const points = Array.from({ length: curve.length / 2 }, (_, k) => [7 + 3 * curve[2 * k], 3 * curve[2 * k + 1]]).slice(0, -1);
+  const { state } = asked(points, { course: "closed" });
+  const again = engine.functions.pathAtlas(state, page).cells;
+  assert.ok(again[index].unlikeness < 0.02, `${again[index].unlikeness}`);
+  assert.ok(again.every(({ unlikeness, grashof }) => (grashof === null ? unlikeness === null : unlikeness >= 0 && unlikeness <= 1)));
+  const { greatest } = engine.functions.pathOfCell(state, page, index);
+  assert.ok(greatest < 0.02 * asked(points, { course: "closed" }).summary.size, `${greatest}`);
+  assert.equal(engine.functions.pathOfCell(state, page, cells.findIndex(({ grashof }) => grashof === null)), null);
+  assert.throws(() => engine.functions.pathAtlas(state, { ...page, frame: -1 }));
+});
+
 test("a new point continues the last two", () => {
   assert.deepEqual(another({ state: { document: { path: [[0, 0], [1, 0.5]] } } }), [2, 1]);
 });
