@@ -9,6 +9,7 @@ use crate::browser::Page;
 use crate::device::languages;
 use crate::gallery::open;
 use crate::host::home;
+use crate::layout::defects;
 
 pub(crate) const AXE: &str = include_str!("vendor/axe.min.js");
 
@@ -42,6 +43,23 @@ pub(crate) async fn named_and_fits(page: &Page) {
                 return [scrollWidth - clientWidth, clientWidth < 960 ? 0 : scrollHeight - clientHeight]";
             assert_eq!(page.ask(over).await, json!([0, 0]), "{lang} {screen:?}");
         }
+    }
+}
+
+/// As [`named_and_fits`]; and by touch on a phone, what is of a kind has every word, and targets of 44 pixels. Words of the
+/// kind begin with this prefix.
+pub(crate) async fn kind_is_named_and_fits(page: &Page, kind: &str, prefix: &str) {
+    named_and_fits(page).await;
+    page.touched().await;
+    page.screen((360, 640), 1.0).await;
+    for lang in languages(1) {
+        page.speak(lang).await;
+        assert_eq!(defects(page, 44).await, json!([]), "{lang}");
+        let script = format!(
+            "return [...document.querySelectorAll('[data-of={kind}]')].map((one) => one.innerText).join(' ')"
+        );
+        let text = page.ask(&script).await.as_str().unwrap().to_owned();
+        assert!(text.len() > 200 && !text.contains(prefix), "{lang}: {text}");
     }
 }
 

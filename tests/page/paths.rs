@@ -3,11 +3,9 @@
 use serde_json::json;
 use thirtyfour::Key;
 
-use crate::access::named_and_fits;
+use crate::access::kind_is_named_and_fits;
 use crate::browser::Page;
-use crate::device::languages;
 use crate::host::home;
-use crate::layout::defects;
 use crate::picture_behind::{FROM, SCAN, file};
 
 /// The page with a task of the catalogue, at rest.
@@ -245,18 +243,6 @@ async fn cognates_trace_the_same_curve() {
 #[tokio::test]
 async fn paths_are_named_and_fit() {
     let page = open("path-nine").await;
-    named_and_fits(&page).await;
-    page.touched().await;
-    page.screen((360, 640), 1.0).await;
-    for lang in languages(1) {
-        page.speak(lang).await;
-        assert_eq!(defects(&page, 44).await, json!([]), "{lang}");
-        let script = "return [...document.querySelectorAll('[data-of=point-path]')].map((one) => one.innerText).join(' ')";
-        let text = page.ask(script).await.as_str().unwrap().to_owned();
-        assert!(
-            text.len() > 200 && !text.contains("path."),
-            "{lang}: {text}"
-        );
-    }
+    kind_is_named_and_fits(&page, "point-path", "path.").await;
     page.close().await;
 }

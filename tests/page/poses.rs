@@ -4,11 +4,9 @@ use std::collections::BTreeSet;
 
 use serde_json::json;
 
-use crate::access::named_and_fits;
+use crate::access::kind_is_named_and_fits;
 use crate::browser::Page;
-use crate::device::languages;
 use crate::host::home;
-use crate::layout::defects;
 
 /// The page with a task of the catalogue, at rest.
 async fn open(name: &str) -> Page {
@@ -202,18 +200,6 @@ async fn poses_without_a_linkage_stay() {
 #[tokio::test]
 async fn poses_are_named_and_fit() {
     let page = open("poses-five").await;
-    named_and_fits(&page).await;
-    page.touched().await;
-    page.screen((360, 640), 1.0).await;
-    for lang in languages(1) {
-        page.speak(lang).await;
-        assert_eq!(defects(&page, 44).await, json!([]), "{lang}");
-        let script = "return [...document.querySelectorAll('[data-of=poses]')].map((one) => one.innerText).join(' ')";
-        let text = page.ask(script).await.as_str().unwrap().to_owned();
-        assert!(
-            text.len() > 200 && !text.contains("poses."),
-            "{lang}: {text}"
-        );
-    }
+    kind_is_named_and_fits(&page, "poses", "poses.").await;
     page.close().await;
 }

@@ -15,6 +15,7 @@ use assur_draw::Figure;
 use serde::Serialize;
 
 use crate::capabilities::Moves;
+use crate::handle::Handle;
 use crate::kinds::becomes;
 use crate::moving::Moving;
 
@@ -226,6 +227,16 @@ pub(crate) struct HandleSummary<'a> {
     pub(crate) pressed: bool,
 }
 
+impl<'a> From<&'a Handle> for HandleSummary<'a> {
+    fn from(handle: &'a Handle) -> Self {
+        Self {
+            name: &handle.name,
+            role: handle.role,
+            pressed: false,
+        }
+    }
+}
+
 impl<'a> StructureSummary<'a> {
     pub(crate) fn new(mechanism: &'a Mechanism, figure: &Figure) -> Self {
         let structure = mechanism.structure();
@@ -282,11 +293,7 @@ impl<'a> MotionSummary<'a> {
             .map(link),
             grashof: one.grashof().code(),
         });
-        let handles = moving.handles().iter().map(|handle| HandleSummary {
-            name: &handle.name,
-            role: handle.role,
-            pressed: false,
-        });
+        let handles = moving.handles().iter().map(HandleSummary::from);
         let unsearched = motion.searchable().err();
         let course = CourseSummary {
             moves: if mechanism.turns() { "angle" } else { "length" },

@@ -5,14 +5,12 @@ pub(crate) mod search;
 pub(crate) mod summary;
 
 use assur::Point;
-use assur::mechanism::Quantity;
 use assur::motion::{Sampling, Spacing};
 use assur::synthesis::approximation::{Course, Traced, Tracing};
 use assur::synthesis::cognates::{CouplerFourBar, CouplerSliderCrank};
-use assur_draw::{Annotations, Guidance, GuidanceSheet, Role};
+use assur_draw::{Guidance, GuidanceSheet, Role};
 use assur_file::{
-    CourseDocument, Document, LinkageProblem, Moved, PathDocument, PathProblem, PathTask, Problem,
-    State,
+    CourseDocument, Document, Moved, PathDocument, PathProblem, PathTask, Problem, State,
 };
 use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
@@ -22,6 +20,7 @@ use crate::change::Change;
 use crate::convert::to_js;
 use crate::handle::{Handle, HandlePlace};
 use crate::here::Here;
+use crate::kinds::task;
 use crate::moving::Moving;
 use summary::PathSummary;
 
@@ -176,27 +175,7 @@ impl Shown {
         let Some(traced) = Traced::new(tracing, &moved.motion, &task.target) else {
             return Ok(None);
         };
-        let roles = [
-            ("crank", Role::Crank),
-            ("coupler", Role::Coupler),
-            ("rod", Role::Coupler),
-            ("rocker", Role::Rocker),
-        ];
-        let annotations = Annotations {
-            roles: roles.map(|(link, role)| (link.to_owned(), role)).to_vec(),
-            guidance: drawing(task, &traced.distances),
-            ..Annotations::of_linkage(None)
-        };
-        let quantities = Quantity::all(moved.motion.mechanism());
-        let explain =
-            |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
-        let moving = Moving::new(
-            &state.view,
-            moved,
-            annotations,
-            quantities,
-            Box::new(explain),
-        )?;
+        let moving = task::moving(&state.view, moved, drawing(task, &traced.distances))?;
         Ok(Some(Self {
             linkage: Document::Linkage(linkage),
             moving: moving.held_by(held(task)),

@@ -4,12 +4,9 @@ mod drawn;
 mod hinges;
 pub(crate) mod summary;
 
-use assur::mechanism::Quantity;
 use assur::{Point, Vector};
-use assur_draw::{Annotations, GuidanceSheet, Role};
-use assur_file::{
-    Document, Guidance, LinkageProblem, Moved, PoseDocument, PosesDocument, Problem, State,
-};
+use assur_draw::{GuidanceSheet, Role};
+use assur_file::{Document, Guidance, Moved, PoseDocument, PosesDocument, Problem, State};
 use serde_json::json;
 use wasm_bindgen::prelude::JsValue;
 
@@ -18,6 +15,7 @@ use crate::change::Change;
 use crate::convert::to_js;
 use crate::handle::{Handle, HandlePlace};
 use crate::here::Here;
+use crate::kinds::task;
 use crate::moving::Moving;
 use drawn::Scene;
 use hinges::Hinges;
@@ -153,26 +151,7 @@ impl Shown {
             None => Vec::new(),
         };
         scene.judge(&met);
-        let roles = [
-            ("crank", Role::Crank),
-            ("coupler", Role::Coupler),
-            ("rocker", Role::Rocker),
-        ];
-        let annotations = Annotations {
-            roles: roles.map(|(link, role)| (link.to_owned(), role)).to_vec(),
-            guidance: scene.guidance.clone(),
-            ..Annotations::of_linkage(None)
-        };
-        let quantities = Quantity::all(moved.motion.mechanism());
-        let explain =
-            |mechanism: &_, unsolved: &_| LinkageProblem::unsolved(unsolved, mechanism).into();
-        let moving = Moving::new(
-            &state.view,
-            moved,
-            annotations,
-            quantities,
-            Box::new(explain),
-        )?;
+        let moving = task::moving(&state.view, moved, scene.guidance.clone())?;
         Ok(Self {
             linkage: Document::Linkage(linkage),
             moving: moving.held_by(held(scene, hinges)),

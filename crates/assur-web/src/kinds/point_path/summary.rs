@@ -157,13 +157,7 @@ impl<'a> PathSummary<'a> {
         Self::Alone(Box::new(LonePathSummary {
             moves: None,
             bounds: path.sheet.bounds(),
-            handles: (path.held.iter())
-                .map(|handle| HandleSummary {
-                    name: &handle.name,
-                    role: handle.role,
-                    pressed: false,
-                })
-                .collect(),
+            handles: path.held.iter().map(HandleSummary::from).collect(),
             roles: BTreeMap::new(),
             task,
         }))

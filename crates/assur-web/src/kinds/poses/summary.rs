@@ -160,13 +160,7 @@ impl<'a> PosesSummary<'a> {
         Self::Alone(Box::new(AloneSummary {
             moves: None,
             bounds: poses.sheet.bounds(),
-            handles: (poses.held.iter())
-                .map(|handle| HandleSummary {
-                    name: &handle.name,
-                    role: handle.role,
-                    pressed: false,
-                })
-                .collect(),
+            handles: poses.held.iter().map(HandleSummary::from).collect(),
             roles: BTreeMap::new(),
             task,
         }))
