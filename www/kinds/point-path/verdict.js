@@ -8,6 +8,9 @@ import { degrees } from "assur/core/angles.js";
  * @typedef {import("assur/state/model.js").OwnSnapshot<"point-path">} Snapshot
  */
 
+/** Distance from a path that counts as none, as a part of the size of the path. */
+const EXACT = 1e-10;
+
 /** Tests of the filters, by their names. */
 export const FILTERS = Object.freeze(/** @type {Readonly<Record<string, (found: Found) => boolean>>} */ ({
   all: () => true,
@@ -37,9 +40,6 @@ export function missedBy({ greatest }, size, words) {
   if (greatest <= EXACT * size) return words.text("path.exact");
   return words.text("path.missed_by", { length: numbers.short(greatest), share: numbers.upTo((100 * greatest) / size, 2) });
 }
-
-/** Distance from a path that counts as none, as a part of the size of the path. */
-const EXACT = 1e-10;
 
 /**
  * @param {Found} found
