@@ -232,6 +232,11 @@ export type PathDocument = {
 /** Unit of lengths; if absent, only proportions count. */ unit?: LengthUnit | null, 
 /** What the points mean. */ course?: CourseDocument, 
 /** The points of the path, in their order: 3 to 512. */ path: Array<[number, number]>, 
+/**
+ * Crank angles at the points, of which only the differences count; the crank may turn in either direction. If
+ * absent, they are free.
+ */
+angles_deg?: Array<number>, 
 /** The linkage that is shown; if absent, the best one of a short search. */ linkage?: TracingDocument | null, };
 export type PictureDocument = { 
 /** The image, as a `data:` URL. */ image: string, 

@@ -333,10 +333,10 @@ export type ListedSummary = { name: string,
 export type LonePathSummary = { 
 /** Always null: a path alone has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
- * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; empty without a
- * linkage.
+ * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; null for a point that
+ * the motion does not reach. Empty without a linkage.
  */
-met: Array<number>, 
+met: Array<number | null>, 
 /** Distances of the points from the traced curve. */ distances: Array<number>, 
 /** Diagonal of the bounding box of the path. */ size: number, 
 /** The line or circle on which all points lie. */ special: "line" | "circle" | null, 
@@ -400,10 +400,10 @@ export type PanelLayout = { order: 0 | 1 | 2, kind: "angle" | "length" | "force"
 export type PathSummary = TracedSummary | LonePathSummary;
 export type PathTaskSummary = { 
 /**
- * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; empty without a
- * linkage.
+ * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; null for a point that
+ * the motion does not reach. Empty without a linkage.
  */
-met: Array<number>, 
+met: Array<number | null>, 
 /** Distances of the points from the traced curve. */ distances: Array<number>, 
 /** Diagonal of the bounding box of the path. */ size: number, 
 /** The line or circle on which all points lie. */ special: "line" | "circle" | null, 
@@ -572,10 +572,10 @@ export type TracedSummary = { four_bars: Array<FourBarSummary>, points: Array<st
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, 
 /**
- * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; empty without a
- * linkage.
+ * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; null for a point that
+ * the motion does not reach. Empty without a linkage.
  */
-met: Array<number>, 
+met: Array<number | null>, 
 /** Distances of the points from the traced curve. */ distances: Array<number>, 
 /** Diagonal of the bounding box of the path. */ size: number, 
 /** The line or circle on which all points lie. */ special: "line" | "circle" | null, 

@@ -43,12 +43,13 @@ import { edited } from "assur/state/state.js";
  *   words: Readonly<{ add: string, remove: string }>,
  *   build: Build<K, E>,
  *   another: (snapshot: Snapshot<K>) => E,
+ *   beside?: (document: Documents<K>) => Partial<Documents<K>>,
  *   without?: (index: number, document: Documents<K>) => Partial<Documents<K>>,
  * }>} ListKind
  * A list in the documents of one kind. `name`: field of the list. `first`: the number shown on the first entry
  * (wheels of a mixer start at 5). `least`, `most`: limits of the number of entries. `written`: writes the number shown
  * on an entry. `words`: keys of the names of the buttons. `build`: makes the card of an entry. `another`: makes an
- * entry to be added. `without`: needed if removing an entry changes other fields of the document too; gives all
+ * entry to be added. `beside`: other fields that are changed with an added entry. `without`: needed if removing an entry changes other fields of the document too; gives all
  * changed fields, including the list.
  */
 
@@ -74,7 +75,7 @@ export class CardList {
    * @param {Pick<import("assur/app/page.js").Page, "store" | "drafts">} page
    */
   constructor(kind, { store, drafts }) {
-    const { name, first, written, words, another } = kind;
+    const { name, first, written, words, another, beside } = kind;
     numberEntries(name, (index) => written(index + first));
     this.#kind = kind;
     this.#store = store;
@@ -83,7 +84,7 @@ export class CardList {
     this.add = make("button", { id: `${name}-add`, class: "control add", type: "button", "data-t": words.add });
     this.add.addEventListener("click", () => {
       const snapshot = this.#snapshot;
-      if (snapshot) this.#change((document) => this.#with(document, (entries) => [...entries, another(snapshot)]));
+      if (snapshot) this.#change((document) => ({ ...beside?.(document), ...this.#with(document, (entries) => [...entries, another(snapshot)]) }));
     });
   }
 

@@ -176,7 +176,7 @@ export class Measures {
     if (on && drawing) return;
     this.#picked = on ? [] : null;
     this.#pick.setAttribute("aria-pressed", String(on));
-    if (!drawing) this.#page.pointer.setTool(on ? this : null);
+    if (!drawing && this.#page.pointer.tool !== this === on) this.#page.pointer.setTool(on ? this : null);
     this.#page.mechanism.ring("");
     setData(byId("mechanism", HTMLElement), "tracing", String(on));
     this.#ask();
@@ -197,6 +197,10 @@ export class Measures {
 
   leave() {
     this.#page.mechanism.ring("");
+  }
+
+  dropped() {
+    if (this.#picked) this.#picking(false);
   }
 
   /** Starts no drag: the tool takes only presses. */

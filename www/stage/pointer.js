@@ -12,8 +12,8 @@ import { TRACERS, withView } from "assur/state/state.js";
  * @typedef {{ to(at: Pixel, free: boolean): void, end(): void }} Drag
  * @typedef {{
  *   hover(at: Pixel, event: PointerEvent): void, leave(): void, press(at: Pixel, event: PointerEvent): void,
- *   grab(at: Pixel, event: PointerEvent): Drag | null,
- * }} PointerTool tool that receives the pointer's actions instead of the joints
+ *   grab(at: Pixel, event: PointerEvent): Drag | null, dropped?(): void,
+ * }} PointerTool tool that receives the pointer's actions instead of the joints. `dropped`: called when another tool, or none, takes its place
  */
 
 /** Greatest distance at which a pointer takes hold of a joint, in pixels: for a mouse or pen, and for a finger. */
@@ -99,12 +99,18 @@ export class MechanismPointer {
     setData(this.#canvas, "tracing", String(this.#tracing));
   }
 
+  get tool() {
+    return this.#tool;
+  }
+
   /** @param {PointerTool | null} tool that receives the pointer's actions; null for the joints */
   setTool(tool) {
+    const before = this.#tool;
     this.#tool = tool;
     this.#work = null;
     this.#word.hide();
     setData(this.#canvas, "lent", String(tool !== null));
+    if (before !== tool) before?.dropped?.();
   }
 
   /** @param {import("assur/state/model.js").AnySnapshot} snapshot */

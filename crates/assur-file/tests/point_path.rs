@@ -81,9 +81,35 @@ fn what_is_wrong_is_named() {
         codes(five(&json!({ "linkage": none }))),
         ["no_slider_crank"]
     );
+    let four = five(&json!({"angles_deg": [0, 10, 20, 30]}));
+    assert_eq!(
+        refused(four),
+        [json!({"code": "angles_of_points", "angles": 4, "points": 5})]
+    );
+    let angles = [0, 10, 20, 30, 40];
+    let curve = five(&json!({"angles_deg": angles, "course": "open"}));
+    assert_eq!(codes(curve), ["angles_of_curve"]);
     let misspelt = five(&json!({"cours": "open"}));
     let misspelt = State::read(&json!({"format": 2, "kind": "point-path", "document": misspelt}));
     assert!(misspelt.is_err());
+}
+
+/// Three points at given crank angles, which leave a family, are met exactly; points in line at given angles are no slide.
+#[test]
+fn points_at_crank_angles_are_met() {
+    let document = read(json!({"path": [[0, 0], [2, 0.3], [3, -0.4]], "angles_deg": [0, 40, 100]}));
+    let motion = document.motion().unwrap();
+    let found = document.task().unwrap();
+    let traced =
+        assur::synthesis::approximation::Traced::new(&found.shown.unwrap(), &motion, &found.target);
+    let traced = traced.unwrap();
+    assert!(traced.deviation.greatest < 1e-8, "{:?}", traced.deviation);
+    let [first, second] = [0, 1].map(|k| traced.inputs[k].unwrap());
+    let step = (second - first).rem_euclid(std::f64::consts::TAU);
+    let step = step.min(std::f64::consts::TAU - step).to_degrees();
+    assert!((step - 40.0).abs() < 1e-9, "{step}");
+    let line = read(json!({"path": [[0, 0], [1, 1], [3, 3]], "angles_deg": [0, 40, 100]}));
+    assert_eq!(line.task().unwrap().target.special(), None);
 }
 
 /// Points in line are met by a slide, points on a circle by a crank.

@@ -147,7 +147,8 @@ fn what_moves_becomes_a_scheme() {
         ("linkage", "geared-five-bar", 1),
     ] {
         let summary = value(&simulator.set(state(kind, &known(name))).unwrap());
-        assert_eq!(summary["becomes"], json!(["scheme"]));
+        let becomes = summary["becomes"].as_array().unwrap();
+        assert!(becomes.contains(&json!("scheme")), "{becomes:?}");
         let home = summary["home"].as_f64().unwrap();
         let made = value(&simulator.as_kind("scheme", home).unwrap());
         assert_eq!(made["kind"], "scheme");

@@ -5,8 +5,9 @@ import { section } from "assur/controls/section.js";
 import { make, setData, write } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { Seen } from "assur/core/seen.js";
+import { choose } from "assur/kinds/point-path/choose.js";
 import { missedBy } from "assur/kinds/point-path/verdict.js";
-import { edited, withoutExtras } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
@@ -163,14 +164,15 @@ export class AtlasView {
       return;
     }
     this.#page.history.close();
-    this.#page.store.update((state) => edited(state, "point-path", () => ({ linkage: found.linkage })));
+    choose(this.#page, found.linkage);
     write(this.#told, `${this.#canvas.ariaLabel} ${words.text("path.atlas.placed", { missed: missedBy(found, snapshot.summary.size, words) })}`);
   }
 
   #paint() {
     const atlas = this.#atlas;
-    if (!atlas || !this.#details.open || !this.#surface.begin()) return;
+    if (!this.#details.open || !this.#surface.begin()) return;
     this.#surface.clear();
+    if (!atlas) return;
     const { context, width, height } = this.#surface;
     const { colours, weight } = this.#page.theme;
     const { count, cells } = atlas;

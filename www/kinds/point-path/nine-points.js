@@ -4,6 +4,7 @@ import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { download } from "assur/core/download.js";
 import { Seen } from "assur/core/seen.js";
+import { onLeaving } from "assur/kinds/point-path/choose.js";
 import { NineWorkers } from "assur/kinds/point-path/nine-workers.js";
 import { TracingList } from "assur/kinds/point-path/tracing-list.js";
 import { FILTERS, csvOf } from "assur/kinds/point-path/verdict.js";
@@ -52,6 +53,7 @@ export class NinePointsView {
     for (const name of Object.keys(FILTERS)) this.#filter.append(make("option", { value: name, "data-t": `path.filter.${name}` }));
     this.#filter.addEventListener("change", () => this.#write());
     this.#save = make("button", { id: "nine-csv", class: "control add", type: "button", "data-t": "path.csv", onclick: () => this.#download() });
+    onLeaving(page, () => this.#finish());
     this.#section = section("point-path", "path.nine_heading", "nine", [this.#start, this.#stop, this.#bar, this.#told, this.#filter, this.#count, this.#list.element, this.#save]);
   }
 
@@ -133,6 +135,7 @@ export class NinePointsView {
   }
 
   #finish() {
+    if (!this.#workers) return;
     const focused = document.activeElement === this.#stop;
     this.#workers?.stop();
     this.#workers = null;

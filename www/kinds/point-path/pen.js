@@ -1,10 +1,10 @@
 // The pen: a path drawn by the hand. While the hand draws, the page shows the best linkage of a short search.
 import { byId, make } from "assur/core/dom.js";
+import { onLeaving } from "assur/kinds/point-path/choose.js";
 import { edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/stage/pointer.js").Pixel} Pixel
- * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
  */
 
 /** Least distance between two points of a drawn line, in pixels. */
@@ -22,6 +22,9 @@ const LOOK = 120;
 /** Points are rounded to a multiple of a power of ten near the size of the path divided by this number. */
 const STEPS = 1000;
 
+/** Least width and height together of a drawn line, in pixels; a shorter one is a slip of the hand. */
+const SMALLEST = 30;
+
 /** Least number of points of a path. */
 const LEAST = 3;
 
@@ -35,23 +38,26 @@ export class Pen {
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
+    onLeaving(page, () => this.#set(false));
     addEventListener("keydown", (event) => {
       if (event.key === "Escape" && this.#on) this.#set(false);
     });
   }
 
-  /** @param {Snapshot} snapshot */
-  render({ state }) {
-    // A path that is opened beside this one is not drawn over.
-    if (this.#on && state.kind !== "point-path") this.#set(false);
-  }
-
   /** @param {boolean} on */
   #set(on) {
+    if (on === this.#on) return;
     this.#on = on;
     this.button.setAttribute("aria-pressed", String(on));
     this.hint.hidden = !on;
-    this.#page.pointer.setTool(on ? this : null);
+    if (!on) this.#page.mechanism.release();
+    const { pointer } = this.#page;
+    if (on) pointer.setTool(this);
+    else if (pointer.tool === this) pointer.setTool(null);
+  }
+
+  dropped() {
+    this.#set(false);
   }
 
   hover() {}
@@ -59,12 +65,12 @@ export class Pen {
   leave() {}
 
   /**
-   * Adds a point at the end of a path of points.
+   * Adds a point at the end of the path.
    * @param {Pixel} at
    */
   press(at) {
     const place = this.#place(at);
-    this.#page.store.update((state) => edited(state, "point-path", ({ course = "points", path }) => (course === "points" ? { path: [...path, place], linkage: null } : {})));
+    this.#page.store.update((state) => edited(state, "point-path", (document) => ({ path: [...document.path, place], angles_deg: nextAngles(document), linkage: null })));
   }
 
   /**
@@ -87,7 +93,6 @@ export class Pen {
       },
       end: () => {
         this.#draw(line, closes(line));
-        mechanism.release();
         this.#set(false);
         byId("path-pen", HTMLButtonElement).focus({ preventScroll: true });
       },
@@ -107,12 +112,24 @@ export class Pen {
    * @param {boolean} closed
    */
   #draw(line, closed) {
+    const [xs, ys] = [line.map(({ x }) => x), line.map(({ y }) => y)];
+    if (Math.max(...xs) - Math.min(...xs) + Math.max(...ys) - Math.min(...ys) < SMALLEST) return;
     const points = thinned(line, MOST).map((at) => this.#place(at));
     if (points.length < LEAST) return;
     /** @type {import("assur/types/file.js").CourseDocument} */
     const course = closed ? "closed" : "open";
-    this.#page.store.update((state) => edited(state, "point-path", () => ({ path: points, course, linkage: null })));
+    this.#page.store.update((state) => edited(state, "point-path", () => ({ path: points, course, angles_deg: [], linkage: null })));
   }
+}
+
+/**
+ * @param {import("assur/state/state.js").Documents["point-path"]} document
+ * @returns {number[]} the crank angles with that of one more point, at the distance of the last two; none if they are free
+ */
+export function nextAngles({ angles_deg: angles }) {
+  if (!angles?.length) return [];
+  const [before, last] = [angles.at(-2) ?? 0, angles.at(-1) ?? 0];
+  return [...angles, 2 * last - before];
 }
 
 /** @param {readonly Pixel[]} line */

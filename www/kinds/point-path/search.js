@@ -4,8 +4,9 @@ import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
 import { Seen } from "assur/core/seen.js";
 import { compiledWasm } from "assur/core/wasm.js";
+import { choose, onLeaving } from "assur/kinds/point-path/choose.js";
 import { TracingList } from "assur/kinds/point-path/tracing-list.js";
-import { edited, withoutExtras } from "assur/state/state.js";
+import { withoutExtras } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
@@ -33,9 +34,11 @@ export class SearchView {
   #list;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {readonly unknown[]} points and course of the search */
+  /** @type {readonly unknown[]} points, course and crank angles of the search */
   #subject = [];
   #changed = false;
+  /** The linkage at the start, or the last one that the search has put in. */
+  #last = "";
   /** @type {readonly Found[]} */
   #found = [];
   /** @type {Progress | null} */
@@ -50,14 +53,15 @@ export class SearchView {
   constructor(page) {
     this.#page = page;
     this.#list = new TracingList("path-found", "path.found", page);
+    onLeaving(page, () => this.#finish());
     section("point-path", "path.search_heading", "search", [this.#kinds, this.#measure, this.#start, this.#stop, this.#told, this.#list.element]);
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     this.#snapshot = snapshot;
-    const { path, course } = snapshot.state.document;
-    if (this.#subject.length > 0 && (this.#subject[0] !== path || this.#subject[1] !== course)) this.#forget();
+    const { path, course, angles_deg: angles } = snapshot.state.document;
+    if (this.#subject.length > 0 && (this.#subject[0] !== path || this.#subject[1] !== course || this.#subject[2] !== angles)) this.#forget();
     if (this.#shown.same(snapshot.summary, snapshot.state.document, snapshot.words, this.#found, this.#progress, this.#problems, this.#worker)) return;
     const { words } = snapshot;
     const { numbers } = words;
@@ -90,8 +94,9 @@ export class SearchView {
       slider_cranks: kind === "slider_cranks" || kind === "both",
       swinging: kind === "swinging",
     };
-    this.#subject = [state.document.path, state.document.course];
+    this.#subject = [state.document.path, state.document.course, state.document.angles_deg];
     this.#changed = false;
+    this.#last = this.#shownNow;
     const worker = new Worker(import.meta.resolve("assur/kinds/point-path/search-worker.js"), { type: "module" });
     this.#worker = worker;
     const lost = () => {
@@ -112,7 +117,10 @@ export class SearchView {
     if (progress) this.#progress = progress;
     if (progress?.found) {
       this.#found = progress.found;
-      if (progress.found[0]) this.#take(progress.found[0]);
+      const [best] = progress.found;
+      // What the reader has chosen or taken back meanwhile stays.
+      if (this.#last !== this.#shownNow) ended = true;
+      else if (best && this.#isBetter(best)) this.#take(best);
     }
     if (ended || problems.length > 0) this.#finish();
     else this.#show();
@@ -123,11 +131,29 @@ export class SearchView {
    * @param {Found} best
    */
   #take({ linkage }) {
-    const { history, store } = this.#page;
+    const { history } = this.#page;
     if (this.#changed) history.join();
     else history.close();
     this.#changed = true;
-    store.update((state) => edited(state, "point-path", () => ({ linkage })));
+    choose(this.#page, linkage);
+    this.#last = this.#shownNow;
+  }
+
+  /** The linkage of the document as text. */
+  get #shownNow() {
+    const state = this.#page.store.get();
+    return state.kind === "point-path" ? JSON.stringify(state.document.linkage ?? null) : "";
+  }
+
+  /**
+   * @param {Found} found
+   * @returns {boolean} whether it is better than the shown linkage, or the shown one is of another kind
+   */
+  #isBetter(found) {
+    const traced = this.#snapshot?.summary.traced;
+    if (!traced) return true;
+    const of = (/** @type {Found} */ { greatest, root_mean_square: mean }) => (this.#measure.value === "squares" ? mean ?? Infinity : greatest);
+    return of(found) < of(traced) || "four_bar" in found.linkage !== "four_bar" in traced.linkage;
   }
 
   #finish() {

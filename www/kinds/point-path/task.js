@@ -3,8 +3,9 @@ import { CardList } from "assur/controls/card-list.js";
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";
+import { parseNumber } from "assur/core/numbers.js";
 import { Seen } from "assur/core/seen.js";
-import { Pen } from "assur/kinds/point-path/pen.js";
+import { Pen, nextAngles } from "assur/kinds/point-path/pen.js";
 import { Photograph } from "assur/kinds/point-path/photograph.js";
 import { saidOf } from "assur/kinds/point-path/verdict.js";
 import { edited } from "assur/state/state.js";
@@ -20,14 +21,21 @@ const COURSES = Object.freeze(/** @type {const} */ (["points", "open", "closed"]
 /** Limits of the number of points that are listed one by one. */
 const POINTS = Object.freeze({ least: 3, most: 24 });
 
+/** Field of the crank angles. */
+const ANGLES = "angles_deg";
+
 const AXES = Object.freeze(/** @type {const} */ (["x", "y"]));
 
-/** A new point is rounded to a multiple of one divided by this number. */
-const PARTS_OF_UNIT = 1000;
+/** A new point is rounded to a multiple of a power of ten near its distance from the last divided by this number. */
+const PARTS_OF_STEP = 1000;
 
 export class TaskView {
   #store;
   #course = make("select", { id: "path-course", class: "control", "data-t-label": "path.course" }, COURSES.map((course) => make("option", { value: course, "data-t": `path.course.${course}` })));
+  #angles = make("input", { id: "field-angles", class: "control", type: "text", autocomplete: "off", spellcheck: "false" });
+  #anglesLabel = make("label", { class: "path-angles" }, [make("span", { "data-t": "path.angles" }), this.#angles]);
+  /** The crank angles of the document as text. */
+  #written = "";
   #list;
   #count = make("p", { id: "path-count" });
   #said = make("p", { id: "path-said" });
@@ -42,21 +50,40 @@ export class TaskView {
     this.#photograph = new Photograph(page);
     this.#course.addEventListener("change", () => {
       const course = COURSES[this.#course.selectedIndex];
-      this.#store.update((state) => edited(state, "point-path", () => ({ course, linkage: null })));
+      this.#store.update((state) => edited(state, "point-path", ({ angles_deg: angles }) => ({ course, angles_deg: course === "points" ? angles : [], linkage: null })));
+    });
+    this.#angles.addEventListener("input", () => this.#putAngles(page));
+    this.#angles.addEventListener("blur", () => {
+      if (!page.drafts.has(ANGLES)) this.#angles.value = this.#written;
     });
     this.#list = new CardList({
       kind: "point-path", name: "path", first: 1, ...POINTS, written: String,
       words: { add: "path.add", remove: "path.remove" }, build: card, another,
-      without: (index, { path }) => ({ path: path.filter((_, at) => at !== index) }),
+      beside: (document) => ({ angles_deg: nextAngles(document) }),
+      without: (index, { path, angles_deg: angles = [] }) => ({ path: path.filter((_, at) => at !== index), angles_deg: angles?.filter((_, at) => at !== index) }),
     }, page);
-    section("point-path", "path.heading", "path", [this.#course, this.#pen.button, this.#pen.hint, this.#photograph.element, this.#list.cards, this.#list.add, this.#count, this.#said]);
+    section("point-path", "path.heading", "path", [this.#course, this.#pen.button, this.#pen.hint, this.#photograph.element, this.#list.cards, this.#list.add, this.#anglesLabel, this.#count, this.#said]);
+  }
+
+  /**
+   * Takes the typed crank angles: numbers with spaces or semicolons between them, none if the angles are free.
+   * @param {import("assur/app/page.js").Page} page
+   */
+  #putAngles({ drafts, store }) {
+    const angles = this.#angles.value.split(/[;\s]+/).filter(Boolean).map((text) => parseNumber(text.replace("°", "")));
+    if (angles.includes(null)) {
+      drafts.keep(ANGLES);
+      return;
+    }
+    drafts.drop(ANGLES);
+    const numbers = angles.map(Number);
+    store.update((state) => edited(state, "point-path", () => ({ angles_deg: numbers, linkage: null })));
   }
 
   /** @param {Snapshot} snapshot */
   render(snapshot) {
     const { state, problems, words, summary } = snapshot;
-    const { course = "points", path } = state.document;
-    this.#pen.render(snapshot);
+    const { course = "points", path, angles_deg: angles } = state.document;
     this.#photograph.render(snapshot);
     const wrong = new Set(problems.map(({ field }) => field));
     if (this.#shown.same(state.document, summary, words, ...wrong)) return;
@@ -65,6 +92,10 @@ export class TaskView {
     this.#list.cards.hidden = this.#list.add.hidden = !listed;
     this.#count.hidden = listed;
     if (listed) this.#list.show(snapshot, wrong);
+    this.#anglesLabel.hidden = course !== "points";
+    this.#written = (angles ?? []).map((angle) => words.numbers.exact(angle)).join("; ");
+    if (document.activeElement !== this.#angles) this.#angles.value = this.#written;
+    this.#angles.setAttribute("aria-invalid", String([...wrong].some((field) => field?.startsWith(ANGLES)) || problems.some(({ code }) => code === "angles_of_points")));
     write(this.#count, words.text("path.count", { count: words.numbers.exact(path.length) }));
     write(this.#said, saidOf(snapshot).join(" "));
   }
@@ -76,7 +107,9 @@ export class TaskView {
  */
 export function another({ state: { document: { path } } }) {
   const [before, last] = path.slice(-2);
-  const next = (/** @type {0 | 1} */ axis) => Math.round((2 * last[axis] - before[axis]) * PARTS_OF_UNIT) / PARTS_OF_UNIT;
+  const step = Math.max(Math.hypot(last[0] - before[0], last[1] - before[1]), Number.MIN_VALUE);
+  const parts = 10 ** Math.min(Math.ceil(Math.log10(PARTS_OF_STEP / step)), 300);
+  const next = (/** @type {0 | 1} */ axis) => Math.round((2 * last[axis] - before[axis]) * parts) / parts;
   return [next(0), next(1)];
 }
 

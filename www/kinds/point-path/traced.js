@@ -3,8 +3,8 @@ import { section } from "assur/controls/section.js";
 import { make } from "assur/core/dom.js";
 import { html, nothing, render } from "assur/core/html.js";
 import { Seen } from "assur/core/seen.js";
+import { choose } from "assur/kinds/point-path/choose.js";
 import { missedBy, typeOf, verdictOf } from "assur/kinds/point-path/verdict.js";
-import { edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
@@ -51,8 +51,12 @@ export class TracedView {
   /** @param {Snapshot} snapshot */
   #points({ summary: { met, distances, size }, state: { document: { course = "points" } }, words, coordinate }) {
     if (course !== "points" || met.length === 0 || met.length > GO) return nothing;
-    const one = (/** @type {number} */ input, /** @type {number} */ k) => {
+    const one = (/** @type {number | null} */ input, /** @type {number} */ k) => {
       const n = String(k + 1);
+      if (input === null) {
+        const label = words.text("path.unreached", { n });
+        return html`<button id="path-go-${n}" class="control" type="button" aria-label=${label} title=${label} disabled>${n} ✗</button>`;
+      }
       const is = distances[k] <= MET * size;
       const label = words.text(is ? "path.go_to" : "path.go_near", { n, length: words.numbers.short(distances[k]) });
       const go = () => this.#page.drive(coordinate.inputShown(input));
@@ -63,13 +67,13 @@ export class TracedView {
 
   /** @param {Snapshot} snapshot */
   #cognates({ summary: { cognates }, words }) {
-    const all = cognates.map((one, k) => [one, words.text(cognates.length > 1 ? `path.cognate.${k + 1}` : "path.cognate")]);
-    const button = (/** @type {Tracing | null} */ one, /** @type {string} */ text, /** @type {number} */ k) => {
-      const choose = () => {
-        if (one) this.#page.store.update((state) => edited(state, "point-path", () => ({ linkage: one })));
+    const button = (/** @type {Tracing | null} */ one, /** @type {number} */ k) => {
+      const take = () => {
+        if (one) choose(this.#page, one);
       };
-      return html`<button id="path-cognate-${k + 1}" class="control" type="button" ?disabled=${one === null} @click=${choose}>${text}</button>`;
+      const text = words.text(cognates.length > 1 ? `path.cognate.${k + 1}` : "path.cognate");
+      return html`<button id="path-cognate-${k + 1}" class="control" type="button" ?disabled=${one === null} @click=${take}>${text}</button>`;
     };
-    return html`<div class="path-go" role="group" aria-label=${words.text("path.cognates")}>${all.map(([one, text], k) => button(/** @type {Tracing | null} */ (one), String(text), k))}</div>`;
+    return html`<div class="path-go" role="group" aria-label=${words.text("path.cognates")}>${cognates.map(button)}</div>`;
   }
 }

@@ -1,8 +1,8 @@
 // A list of linkages with their verdicts, of which one is chosen.
 import { make } from "assur/core/dom.js";
 import { html, render } from "assur/core/html.js";
+import { choose } from "assur/kinds/point-path/choose.js";
 import { FILTERS, missedBy, typeOf, verdictOf } from "assur/kinds/point-path/verdict.js";
-import { edited } from "assur/state/state.js";
 
 /**
  * @typedef {import("assur/kinds/point-path/verdict.js").Found} Found
@@ -34,9 +34,8 @@ export class TracingList {
     const chosen = JSON.stringify(document.linkage ?? null);
     const row = (/** @type {Found} */ found, /** @type {number} */ k) => {
       const n = k + 1;
-      const choose = () => this.#page.store.update((state) => edited(state, "point-path", () => ({ linkage: found.linkage })));
       const curve = found.curve === null ? "" : ` ${words.text("path.curve", { n: String(found.curve) })}`;
-      return html`<tr data-sound=${FILTERS.sound(found)}><td><label for="${this.#name}-${n}"><input id="${this.#name}-${n}" type="radio" name=${this.#name} .checked=${JSON.stringify(found.linkage) === chosen} @change=${choose}> <span>${n}${curve}: ${typeOf(found, words)}</span></label><small>${missedBy(found, size, words)}; ${verdictOf(found, words)}</small></td></tr>`;
+      return html`<tr data-sound=${FILTERS.sound(found)}><td><label for="${this.#name}-${n}"><input id="${this.#name}-${n}" type="radio" name=${this.#name} .checked=${JSON.stringify(found.linkage) === chosen} @change=${() => choose(this.#page, found.linkage)}> <span>${n}${curve}: ${typeOf(found, words)}</span></label><small>${missedBy(found, size, words)}; ${verdictOf(found, words)}</small></td></tr>`;
     };
     render(all.map(row), this.#body);
   }

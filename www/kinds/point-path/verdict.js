@@ -38,7 +38,7 @@ export function missedBy({ greatest }, size, words) {
   const { numbers } = words;
   // Beyond the digits of a double, the distance is rounding.
   if (greatest <= EXACT * size) return words.text("path.exact");
-  return words.text("path.missed_by", { length: numbers.short(greatest), share: numbers.upTo((100 * greatest) / size, 2) });
+  return words.text("path.missed_by", { length: numbers.short(greatest), share: numbers.short((100 * greatest) / size) });
 }
 
 /**
@@ -46,13 +46,13 @@ export function missedBy({ greatest }, size, words) {
  * @param {Words} words
  * @returns {string}
  */
-export function verdictOf({ verdict, linkage }, words) {
+export function verdictOf({ verdict }, words) {
   if (!verdict) return words.text("path.no_verdict");
   const { passage, order, turns, transmission, size_ratio: ratio } = verdict;
   return [
     words.text(`path.passage.${passage}`),
     ...(passage === "continuous" ? [words.text(`path.order.${order}`)] : []),
-    ...("four_bar" in linkage ? [words.text(turns ? "path.turns" : "path.rocks")] : []),
+    words.text(turns ? "path.turns" : "path.rocks"),
     `μ ≥ ${words.numbers.angle(transmission, 2)}`,
     `${words.text("path.ratio")} ${words.numbers.upTo(ratio, 2)}`,
   ].join("; ");

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::Kind;
 use super::numbers::NumberField;
 use crate::problem::Problems;
-use crate::{Field, LengthUnit, LinkageDocument, Problem};
+use crate::{LengthUnit, LinkageDocument, Problem};
 
 /// A path, and the linkage that traces it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,6 +27,11 @@ pub struct PathDocument {
     pub course: CourseDocument,
     /// The points of the path, in their order: 3 to 512.
     pub path: Vec<[f64; 2]>,
+    /// Crank angles at the points, of which only the differences count; the crank may turn in either direction. If
+    /// absent, they are free.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(test, ts(optional, as = "Option<_>"))]
+    pub angles_deg: Vec<f64>,
     /// The linkage that is shown; if absent, the best one of a short search.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub linkage: Option<TracingDocument>,
@@ -82,6 +87,15 @@ pub enum PathProblem {
         /// Number of different points.
         distinct: usize,
     },
+    /// Crank angles are as many as points.
+    AnglesOfPoints {
+        /// Number of crank angles.
+        angles: usize,
+        /// Number of points.
+        points: usize,
+    },
+    /// Crank angles belong to points, not to a curve.
+    AnglesOfCurve,
     /// No linkage traces the path.
     NoTracing,
     /// No traced point is on the coupler of a four-bar or on the rod of a slider-crank.
@@ -180,33 +194,27 @@ impl From<PathError> for Problem {
 }
 
 impl TracingDocument {
-    /// The places with their fields.
-    fn places(&self) -> Vec<(Field, [f64; 2])> {
-        let field = |name: &str| Field::from(format!("linkage.{name}"));
-        let both = |name: &str, [first, second]: [[f64; 2]; 2]| {
-            [(0, first), (1, second)].map(|(k, at)| (field(&format!("{name}[{k}]")), at))
-        };
-        match *self {
+    /// Coordinates of all places, and of the direction of a guide.
+    fn coordinates(&self) -> impl Iterator<Item = f64> + use<> {
+        let places = match *self {
             Self::FourBar {
-                pivots,
-                joints,
+                pivots: [a, d],
+                joints: [b, c],
                 point,
-            } => {
-                let places = both("pivots", pivots).into_iter();
-                let places = places.chain(both("joints", joints));
-                places.chain([(field("point"), point)]).collect()
-            }
+            } => [a, b, c, d, point],
             Self::SliderCrank {
                 pivot,
-                joints,
+                joints: [b, c],
                 guide,
                 point,
-            } => {
-                let places = [(field("pivot"), pivot), (field("guide"), guide)].into_iter();
-                let places = places.chain(both("joints", joints));
-                places.chain([(field("point"), point)]).collect()
-            }
-        }
+            } => [pivot, b, c, guide, point],
+        };
+        places.into_iter().flatten()
+    }
+
+    /// True if a document may hold the linkage: no coordinate is too large.
+    pub fn is_near(&self) -> bool {
+        self.coordinates().all(|one| one.abs() <= FARTHEST)
     }
 
     fn tracing(&self) -> Result<Tracing, Vec<Problem>> {
@@ -270,26 +278,38 @@ impl PathDocument {
             problems.range(format!("path[{k}].x"), *x, most);
             problems.range(format!("path[{k}].y"), *y, most);
         }
-        for (field, [x, y]) in self.linkage.iter().flat_map(TracingDocument::places) {
-            problems.range(format!("{field}.x"), x, most);
-            problems.range(format!("{field}.y"), y, most);
+        for (k, angle) in self.angles_deg.iter().enumerate() {
+            problems.range(format!("angles_deg[{k}]"), *angle, most);
+        }
+        let mut coordinates = (self.linkage.iter()).flat_map(TracingDocument::coordinates);
+        if let Some(far) = coordinates.find(|one| !(-FARTHEST..=FARTHEST).contains(one)) {
+            problems.range("linkage", far, most);
         }
         if !problems.0.is_empty() {
             return Err(problems.0);
         }
         let points: Vec<Point> = self.path.iter().copied().map(Point::from).collect();
-        Target::new(&points, self.course.into(), None).map_err(|error| {
+        let angles: Vec<f64> = self
+            .angles_deg
+            .iter()
+            .map(|angle| angle.to_radians())
+            .collect();
+        let angles = (!angles.is_empty()).then_some(&angles[..]);
+        Target::new(&points, self.course.into(), angles).map_err(|error| {
             vec![match error {
                 TargetError::TooFew { distinct } => PathProblem::TooFewPoints { distinct }.into(),
                 TargetError::NotFinite(k) => Problem::NotANumber {
                     field: format!("path[{k}]").into(),
                 },
-                // Without crank angles they have no faults.
-                TargetError::Angles { .. } | TargetError::Angle(_) | TargetError::AnglesOfCurve => {
-                    Problem::NotANumber {
-                        field: "path".into(),
-                    }
+                TargetError::Angles { count } => PathProblem::AnglesOfPoints {
+                    angles: count,
+                    points: points.len(),
                 }
+                .into(),
+                TargetError::Angle(k) => Problem::NotANumber {
+                    field: format!("angles_deg[{k}]").into(),
+                },
+                TargetError::AnglesOfCurve => PathProblem::AnglesOfCurve.into(),
             }]
         })
     }

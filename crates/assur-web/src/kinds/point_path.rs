@@ -110,6 +110,7 @@ pub(crate) fn of(moving: &Moving, input: f64) -> Result<PathDocument, Problem> {
             CourseDocument::Open
         },
         path,
+        angles_deg: Vec::new(),
         linkage: Some((&tracing).into()),
     })
 }

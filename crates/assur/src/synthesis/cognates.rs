@@ -69,6 +69,23 @@ impl CouplerFourBar {
         Ok(found)
     }
 
+    /// A pose of the other assembly: the joints reflected about the line of the fixed pivots. Of a four-bar that satisfies
+    /// Grashof's condition it is on the other circuit. None if all joints are on that line.
+    pub fn reflected(&self) -> Option<Self> {
+        let ([a, d], w) = (self.pivots, self.ratio());
+        let frame = d - a;
+        let normal = Vector::new(-frame.y, frame.x) / frame.norm();
+        let heights = self.joints.map(|at| normal.dot(&(at - a)));
+        let [b, c] = [0, 1].map(|k| self.joints[k] - normal * (2.0 * heights[k]));
+        let size = self.lengths().into_iter().fold(0.0, f64::max);
+        let is_distinct = heights
+            .iter()
+            .any(|height| height.abs() > COINCIDENT * size);
+        let point = b + turned(w, c - b);
+        let other = Self::new(self.pivots, [b, c], point).ok();
+        other.filter(|_| is_distinct)
+    }
+
     /// The fixed pivots of crank and rocker.
     pub fn pivots(&self) -> [Point; 2] {
         self.pivots

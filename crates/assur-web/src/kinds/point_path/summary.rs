@@ -47,9 +47,9 @@ pub(crate) struct LonePathSummary<'a> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct PathTaskSummary<'a> {
-    /// Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; empty without a
-    /// linkage.
-    met: &'a [f64],
+    /// Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; null for a point that
+    /// the motion does not reach. Empty without a linkage.
+    met: &'a [Option<f64>],
     /// Distances of the points from the traced curve.
     distances: &'a [f64],
     /// Diagonal of the bounding box of the path.
@@ -118,13 +118,14 @@ impl From<PathVerdict> for TracingVerdict {
             PathVerdict::FourBar(verdict) => verdict.into(),
             PathVerdict::SliderCrank {
                 order: of,
+                turns,
                 transmission,
                 size_ratio,
             } => Self {
                 grashof: None,
                 passage: "continuous",
                 order: order(of),
-                turns: true,
+                turns,
                 transmission,
                 size_ratio,
             },
@@ -167,7 +168,7 @@ impl<'a> PathSummary<'a> {
 impl<'a> PathTaskSummary<'a> {
     fn new(path: &'a Path) -> Self {
         let shown = path.shown.as_ref();
-        let tracing = path.task.shown.as_ref();
+        let tracing = shown.and(path.task.shown.as_ref());
         let traced = shown.map(|shown| &shown.traced);
         let geared = match tracing {
             Some(Tracing::FourBar(linkage)) => {
@@ -204,17 +205,20 @@ impl<'a> PathTaskSummary<'a> {
     }
 }
 
-/// The cognates of a linkage: two of a four-bar, one of a slider-crank.
+/// The cognates of a linkage that a document may hold: two of a four-bar, one of a slider-crank.
 fn cognates(tracing: &Tracing) -> Vec<Option<TracingDocument>> {
-    match tracing {
+    let cognates = match tracing {
         Tracing::FourBar(linkage) => {
             let cognates = linkage.cognates().into_iter();
-            let cognates = cognates.map(|one| Some((&Tracing::FourBar(one.ok()?)).into()));
-            cognates.collect()
+            cognates.map(|one| one.ok().map(Tracing::FourBar)).collect()
         }
         Tracing::SliderCrank(linkage) => {
-            let cognate = linkage.cognate().ok();
-            vec![cognate.map(|one| (&Tracing::SliderCrank(one)).into())]
+            vec![linkage.cognate().ok().map(Tracing::SliderCrank)]
         }
-    }
+    };
+    let document = |one: Option<Tracing>| {
+        let document = TracingDocument::from(&one?);
+        document.is_near().then_some(document)
+    };
+    cognates.into_iter().map(document).collect()
 }

@@ -36,10 +36,12 @@ impl Tracing {
 pub enum PathVerdict {
     /// The verdict on a four-bar, for at most 24 places of the path.
     FourBar(Verdict),
-    /// The verdict on a slider-crank, whose crank turns fully.
+    /// The verdict on a slider-crank.
     SliderCrank {
         /// Order in which the places of the path are met.
         order: Order,
+        /// True if the crank turns fully.
+        turns: bool,
         /// Minimum transmission angle of the motion, between the rod and the normal of the guide: 90° if the rod lies
         /// along the guide.
         transmission: f64,
@@ -211,6 +213,7 @@ impl PathVerdict {
                 };
                 Some(Self::SliderCrank {
                     order,
+                    turns: crank + offset.abs() <= rod,
                     transmission: ((crank + offset.abs()) / rod).min(1.0).acos(),
                     size_ratio: crank.max(rod) / crank.min(rod),
                 })

@@ -1,12 +1,14 @@
 //! A given linkage beside a path: the places of its motion nearest to the points of the path.
 
+use std::f64::consts::TAU;
+
 use nalgebra::Complex;
 
 use super::approximation::{PathVerdict, Tracing, crank_angles};
 use super::distance::Deviation;
 use super::target::{Course, Target};
 use crate::angle::nearest_to;
-use crate::mechanism::{PointId, Pose};
+use crate::mechanism::{Mechanism, PointId, Pose};
 use crate::motion::{Motion, Sampling, Shown, Spacing};
 use crate::sorting::extremes;
 use crate::tolerance;
@@ -15,9 +17,11 @@ use crate::{Point, Vector};
 /// How a linkage traces a path.
 #[derive(Clone, Debug)]
 pub struct Traced {
-    /// Inputs of the motion at which the traced point is nearest to the points of the path.
-    pub inputs: Vec<f64>,
-    /// Distances of the points of the path from the traced curve, in the unit of the path.
+    /// Inputs of the motion at which the traced point is nearest to the points of the path or, with crank angles, at
+    /// which the crank is at these angles. None for a point that is nearest to the curve of the other assembly, which the
+    /// motion does not reach.
+    pub inputs: Vec<Option<f64>>,
+    /// Distances of the points of the path from the traced curve at these places, in the unit of the path.
     pub distances: Vec<f64>,
     /// Distances between path and curve.
     pub deviation: Deviation,
@@ -25,6 +29,18 @@ pub struct Traced {
     pub verdict: Option<PathVerdict>,
 }
 
+/// The nearest place to a point of the path.
+#[derive(Clone, Copy, Debug)]
+struct Foot {
+    /// True if the place belongs to the other assembly.
+    is_other: bool,
+    input: f64,
+    distance: f64,
+}
+
+/// Samples of a turn of the crank as the angle at the first point, and steps from the best one.
+const STARTS: usize = 120;
+const START_STEPS: usize = 30;
 /// Samples of a turn of the motion.
 const SAMPLES: usize = 360;
 /// Maximum number of samples of a motion.
@@ -36,33 +52,76 @@ const SETTLED: f64 = 1e-9;
 /// Sections of the golden section: they reach the digits of the input.
 const SECTIONS: usize = 70;
 const GOLDEN: f64 = 1.618_033_988_749_895;
+/// Distance, in units of the size, up to which a point is on a curve.
+const MET: f64 = 1e-7;
 /// Distances that differ by less, in units of the size, are equal: the curve meets itself there.
 const EQUAL: f64 = tolerance::COINCIDENT;
 
 impl Traced {
-    /// A moving linkage beside a path. The motion must be that of [`Tracing::spec`]. None if it has no place.
+    /// A moving linkage beside a path. The motion must be that of [`Tracing::spec`].
+    ///
+    /// The motion of a four-bar stays in one assembly. If it ends at dead points, the curve of the other assembly belongs
+    /// to the same circuit and counts; else it counts only for points that lie on it and not on the traced curve. None if
+    /// the motion has no place, or if crank angles are given and the crank does not drive it through a full turn.
     pub fn new(linkage: &Tracing, motion: &Motion, target: &Target) -> Option<Self> {
-        let point = motion.mechanism().point("P")?;
-        let curve = Curve::new(motion, point, target)?;
-        let mut inputs: Vec<f64> = Vec::new();
-        let mut distances = Vec::new();
-        for wanted in target.points() {
-            let near = inputs.last().copied();
-            let (input, distance) = curve.foot(target.scaled(*wanted), near)?;
-            inputs.push(input);
-            distances.push(distance);
+        let shown = Curve::new(motion, target)?;
+        let reflected = match linkage {
+            Tracing::FourBar(linkage) if target.turns.is_none() => linkage.reflected(),
+            _ => None,
+        };
+        let reflected = reflected.map(Tracing::FourBar);
+        let other = reflected.and_then(|linkage| Mechanism::new(&linkage.spec()).ok());
+        let other = other.map(Motion::new);
+        let other = other.as_ref().and_then(|motion| Curve::new(motion, target));
+        let feet = match &target.turns {
+            Some(turns) => shown.timed(linkage, turns)?,
+            None => shown.feet()?,
+        };
+        let is_joined = !motion.cycle().is_full();
+        let beside = other.as_ref().and_then(Curve::feet).unwrap_or_default();
+        let feet = feet.into_iter().enumerate().map(|(k, (input, distance))| {
+            let shown = Foot {
+                is_other: false,
+                input,
+                distance,
+            };
+            let nearer = beside.get(k).filter(|(_, off)| {
+                let is_met = *off <= MET && distance > MET;
+                is_met || (is_joined && off + EQUAL < distance)
+            });
+            nearer.map_or(shown, |(input, distance)| Foot {
+                is_other: true,
+                input: *input,
+                distance: *distance,
+            })
+        });
+        let feet: Vec<Foot> = feet.collect();
+        let mut places = Vec::new();
+        for (curve, is_other) in [(Some(&shown), false), (other.as_ref(), true)] {
+            if let Some(curve) = curve.filter(|_| is_joined || !is_other) {
+                let feet = feet.iter().filter(|foot| foot.is_other == is_other);
+                let inputs: Vec<f64> = feet.map(|foot| foot.input).collect();
+                places.extend(curve.between(&inputs, target.course()));
+            }
         }
-        let places = curve.between(&inputs, target.course());
+        let distances: Vec<f64> = feet.iter().map(|foot| foot.distance).collect();
         let deviation = Deviation::both_ways(distances.clone(), &places, target);
-        let bars: Option<Vec<[Vector; 2]>> = (inputs.iter())
-            .map(|input| bars(linkage, motion, *input))
-            .collect();
+        let bars = feet.iter().map(|foot| {
+            let curve = if foot.is_other {
+                other.as_ref()?
+            } else {
+                &shown
+            };
+            bars(linkage, curve.motion, foot.input)
+        });
+        let bars: Option<Vec<[Vector; 2]>> = bars.collect();
         let verdict = bars.and_then(|bars| {
             let angles = crank_angles(&bars);
             PathVerdict::new(linkage, &bars, &angles)
         });
+        let shown = |foot: &Foot| (!foot.is_other).then_some(foot.input);
         Some(Self {
-            inputs,
+            inputs: feet.iter().map(shown).collect(),
             distances: (distances.iter()).map(|off| off * target.size()).collect(),
             deviation: deviation.times(target.size()),
             verdict,
@@ -79,7 +138,8 @@ struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    fn new(motion: &'a Motion, point: PointId, target: &'a Target) -> Option<Self> {
+    fn new(motion: &'a Motion, target: &'a Target) -> Option<Self> {
+        let point = motion.mechanism().point("P")?;
         let sampling = Sampling {
             turn: SAMPLES,
             coarsest: SAMPLES,
@@ -107,6 +167,67 @@ impl<'a> Curve<'a> {
         let pose: Pose<1> = self.motion.pose(input).ok()?;
         let at = self.motion.mechanism().place(&pose, self.point).place();
         Some(self.target.scaled(at))
+    }
+
+    /// The nearest places to the points of the path: inputs and distances.
+    fn feet(&self) -> Option<Vec<(f64, f64)>> {
+        let mut feet: Vec<(f64, f64)> = Vec::new();
+        for wanted in self.target.points() {
+            let near = feet.last().map(|foot| foot.0);
+            feet.push(self.foot(self.target.scaled(*wanted), near)?);
+        }
+        Some(feet)
+    }
+
+    /// The places at given turns of the crank from the first point, in the sense and from the angle for which the sum of
+    /// the squared distances is least.
+    fn timed(&self, linkage: &Tracing, turns: &[f64]) -> Option<Vec<(f64, f64)>> {
+        let [start, end] = self.motion.cycle().axis();
+        let angle = |input: f64| bars(linkage, self.motion, input).map(|[crank, _]| crank);
+        let (from, to) = (angle(start)?, angle(start + 1.0)?);
+        let is_crank = (from.perp(&to).atan2(from.dot(&to)) - 1.0).abs() <= SETTLED;
+        if !(self.motion.cycle().is_full() && is_crank) {
+            return None;
+        }
+        let input = |from: f64, sense: f64, turn: f64| {
+            start + (from + sense * turn - start).rem_euclid(end - start)
+        };
+        let points: Vec<Complex<f64>> = (self.target.points().iter())
+            .map(|at| self.target.scaled(*at))
+            .collect();
+        let sum = |from: f64, sense: f64| {
+            let squares = turns.iter().zip(&points).map(|(turn, wanted)| {
+                let place = self.place(input(from, sense, *turn));
+                place.map_or(f64::INFINITY, |place| (place - wanted).norm_sqr())
+            });
+            squares.sum::<f64>()
+        };
+        let froms = (0..STARTS).map(|k| start + TAU * k as f64 / STARTS as f64);
+        let starts = froms.flat_map(|from| [1.0, -1.0].map(|sense| (from, sense)));
+        let sums = starts.map(|(from, sense)| (sum(from, sense), from, sense));
+        let (mut least, mut from, sense) = sums.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        for _ in 0..START_STEPS {
+            let (mut slope, mut square) = (0.0, 0.0);
+            for (turn, wanted) in turns.iter().zip(&points) {
+                let pose = self.motion.pose::<2>(input(from, sense, *turn)).ok()?;
+                let here = self.motion.mechanism().place(&pose, self.point);
+                let tangent = here.derivative(1) / self.target.size();
+                let off = self.target.scaled(here.place()) - wanted;
+                slope += off.re * tangent.x + off.im * tangent.y;
+                square += tangent.norm_squared();
+            }
+            let next = from - slope / square;
+            let there = sum(next, sense);
+            if there.is_nan() || there >= least {
+                break;
+            }
+            (from, least) = (next, there);
+        }
+        let places = turns.iter().zip(&points).map(|(turn, wanted)| {
+            let input = input(from, sense, *turn);
+            Some((input, (self.place(input)? - wanted).norm()))
+        });
+        places.collect()
     }
 
     /// The input at which the curve is nearest to a place, and the distance. Of equally near places of points of a
@@ -214,6 +335,9 @@ impl<'a> Curve<'a> {
 
     /// Places of the curve along the part of the motion from the first foot to the last.
     fn between(&self, inputs: &[f64], course: Course) -> Vec<Complex<f64>> {
+        if inputs.is_empty() && course != Course::Closed {
+            return Vec::new();
+        }
         let all = || self.pieces.iter().flatten();
         let part = match self.motion.cycle().period() {
             _ if course == Course::Closed => None,
@@ -266,7 +390,6 @@ fn bars(linkage: &Tracing, motion: &Motion, input: f64) -> Option<[Vector; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanism::Mechanism;
     use crate::synthesis::cognates::CouplerFourBar;
 
     /// Crank 2, coupler 5, rocker 4, frame 5, with P at a distance from the coupler.
@@ -304,7 +427,8 @@ mod tests {
         let target = Target::new(&points, Course::Points, None).unwrap();
         let traced = Traced::new(&linkage, &motion, &target).unwrap();
         for (input, expected) in traced.inputs.iter().zip(wanted) {
-            let off = nearest_to(*input, expected) - expected;
+            let input = input.unwrap();
+            let off = nearest_to(input, expected) - expected;
             assert!(off.abs() < 1e-7, "{input}, not {expected}");
         }
         assert!(traced.deviation.greatest < 1e-12, "{:?}", traced.deviation);
@@ -312,6 +436,74 @@ mod tests {
             panic!("{:?}", traced.verdict);
         };
         assert_eq!(verdict.order, crate::synthesis::four_bar::Order::Growing);
+    }
+
+    /// Points of both assemblies: of a crank-rocker on two circuits, of a triple rocker on two branches of one. The motion
+    /// reaches those of one assembly, and the verdict names the defect.
+    #[test]
+    fn points_of_the_other_assembly_are_not_reached() {
+        use crate::synthesis::four_bar::Passage;
+        let at = |x: f64, y: f64| Point::new(x, y);
+        let place_c = |b: Point, d: Point, [coupler, rocker]: [f64; 2]| {
+            let (arm, span) = (d - b, (d - b).norm());
+            let along = (coupler.powi(2) - rocker.powi(2) + span * span) / (2.0 * span);
+            let unit = arm / span;
+            let across = (coupler.powi(2) - along * along).sqrt();
+            b + unit * along + Vector::new(-unit.y, unit.x) * across
+        };
+        let cases = [
+            ([0.0, 2.0], [5.0, 4.0], Passage::OtherCircuit),
+            ([0.0, 4.0], [3.0, 3.5], Passage::AcrossDeadPoint),
+        ];
+        for ([x, y], lengths, expected) in cases {
+            let (a, d, b) = (at(0.0, 0.0), at(5.0, 0.0), at(x, y));
+            let c = place_c(b, d, lengths);
+            let point = b + 0.5 * (c - b) + Vector::new(0.3, 1.0);
+            let linkage = CouplerFourBar::new([a, d], [b, c], point).unwrap();
+            let reflected = linkage.reflected().unwrap();
+            let motion =
+                |linkage: &CouplerFourBar| Motion::new(Mechanism::new(&linkage.spec()).unwrap());
+            let (shown, other) = (motion(&linkage), motion(&reflected));
+            let [from, to] = shown.cycle().arcs()[0];
+            let input = |share: f64| from + share * (to - from);
+            let of = |motion: &Motion, share: f64| place(motion, input(share));
+            let points = [
+                of(&shown, 0.3),
+                of(&shown, 0.45),
+                of(&other, 0.5),
+                of(&shown, 0.6),
+            ];
+            let target = Target::new(&points, Course::Points, None).unwrap();
+            let traced = Traced::new(&Tracing::FourBar(linkage), &shown, &target).unwrap();
+            let reached: Vec<bool> = traced.inputs.iter().map(Option::is_some).collect();
+            assert_eq!(reached, [true, true, false, true], "{expected:?}");
+            assert!(traced.deviation.greatest < 1e-9, "{:?}", traced.deviation);
+            let Some(PathVerdict::FourBar(verdict)) = traced.verdict else {
+                panic!("{:?}", traced.verdict);
+            };
+            assert_eq!(verdict.passage, expected);
+        }
+    }
+
+    /// Points at given turns of the crank, forwards and backwards, from an angle that is not given.
+    #[test]
+    fn crank_angles_are_met_in_either_sense() {
+        let (linkage, motion) = four_bar();
+        let turns = [0.0, 0.4, 1.1, 1.9, 3.0];
+        for sense in [1.0, -1.0] {
+            let points = turns.map(|turn| place(&motion, 1.3 + sense * turn));
+            let target = Target::new(&points, Course::Points, Some(&turns)).unwrap();
+            let traced = Traced::new(&linkage, &motion, &target).unwrap();
+            assert!(traced.deviation.greatest < 1e-11, "{:?}", traced.deviation);
+            let [first, second] = [0, 1].map(|k| traced.inputs[k].unwrap());
+            let step = nearest_to(second - first, 0.0);
+            assert!((step - sense * 0.4).abs() < 1e-9, "{step}");
+            // Other turns are not met, though the points are on the curve.
+            let others = turns.map(|turn| 1.1 * turn);
+            let target = Target::new(&points, Course::Points, Some(&others)).unwrap();
+            let traced = Traced::new(&linkage, &motion, &target).unwrap();
+            assert!(traced.deviation.greatest > 1e-3, "{:?}", traced.deviation);
+        }
     }
 
     /// A closed polyline of the curve itself, and the same moved by a tenth.
