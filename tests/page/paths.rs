@@ -132,10 +132,11 @@ async fn a_curve_is_drawn_and_searched() {
     let before = page.text("path-verdict").await;
     assert!(before.contains("greatest distance"), "{before}");
     page.click("path-search").await;
-    page.until("a linkage of the search", async || {
-        listed(&page, "path-found").await > 0
+    page.until("a better linkage of the search", async || {
+        page.text("path-verdict").await != before
     })
     .await;
+    assert!(listed(&page, "path-found").await > 0);
     page.click("path-search-stop").await;
     page.settle().await;
     assert!(page.text("path-search-progress").await.contains("compared"));

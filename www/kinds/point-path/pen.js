@@ -114,7 +114,8 @@ export class Pen {
   #draw(line, closed) {
     const [xs, ys] = [line.map(({ x }) => x), line.map(({ y }) => y)];
     if (Math.max(...xs) - Math.min(...xs) + Math.max(...ys) - Math.min(...ys) < SMALLEST) return;
-    const points = thinned(line, MOST).map((at) => this.#place(at));
+    // The end of a closed line is its beginning.
+    const points = (closed ? thinned(line, MOST + 1).slice(0, -1) : thinned(line, MOST)).map((at) => this.#place(at));
     if (points.length < LEAST) return;
     /** @type {import("assur/types/file.js").CourseDocument} */
     const course = closed ? "closed" : "open";
