@@ -23,7 +23,7 @@ export type AddendHere = { symbol: string,
 export type AgainstLayout = { left: number, top: number, width: number, height: number, x: AxisLayout, y: AxisLayout, physical: boolean, role: string, 
 /** Visible pieces of the curve. A point is three numbers: x and y in CSS pixels, then the input. */ curve: Array<Array<number>>, };
 export type AloneSummary = { 
-/** Always null: poses alone have no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
+/** Always null: a task alone has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
  * Inputs at which the shown linkage meets the poses, radians or in the unit of lengths; null if it does not meet the
  * pose. Empty without a linkage.
@@ -331,7 +331,7 @@ export type ListedSummary = { name: string,
 /** `angle`, `load_angle`, `x`, `y`, `transmission`, `pressure`, `distance`, `corner` or `between`. */ what: "angle" | "load_angle" | "x" | "y" | "transmission" | "pressure" | "distance" | "corner" | "between", of: Array<string>, 
 /** The subscript in the symbol of the read-out, if the read-out is an angle. */ number: string | null, role: string, };
 export type LonePathSummary = { 
-/** Always null: a path alone has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
+/** Always null: a task alone has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, 
 /**
  * Inputs at which the traced point is nearest to the points, radians or in the unit of lengths; null for a point that
  * the motion does not reach. Empty without a linkage.
@@ -501,6 +501,8 @@ export type SolutionSummary = {
 export type SpecialSummary = { code: "still" | "rotation" | "line" | "parallelogram" | "parallel", 
 /** The pole; the direction of the line; the vector from a hinge of the body to its pivot. */ at: [number, number] | null, };
 export type StepSummary = { judged: number, accepted: boolean, before: number, reached: ReachedSummary, end: "fulfilled" | "settled" | null, document: Partial<LinkageDocument> | null, };
+export type StillSummary = { 
+/** Always null: a task alone has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, };
 export type StructureSummary = { bounds: [number, number, number, number], counts: CountsSummary, 
 /** Passive wheels, whose meshes repeat constraints of other meshes. */ passive: Array<string>, 
 /** The pairs with a redundant constraint; empty if there are passive wheels. */ redundant: Array<string>, class: string, order: number, formula: string, groups: Array<GroupSummary>, roles: { [key in string]: string }, };

@@ -92,7 +92,7 @@ async fn four_bars_through_nine_points() {
     assert_eq!(page.count("#path-go-9").await, 1);
     page.click("path-go-5").await;
     page.settle().await;
-    // A moved point is another task: what was found is forgotten.
+    // A moved point makes another task, and the linkages found are forgotten.
     page.write("field-point-x-2", "1.3").await;
     assert_eq!(listed(&page, "nine-found").await, 0);
     assert!(!page.text("path-verdict").await.contains("exact"));

@@ -28,6 +28,7 @@ use crate::kinds::synthesis::options::{FamilySummary, FoundSummary};
 use crate::kinds::synthesis::plane::PlaneSummary;
 use crate::kinds::synthesis::summary::SynthesisSummary;
 use crate::kinds::synthesis::wanted::{PrintedSummary, WantedSummary};
+use crate::kinds::task::StillSummary;
 use crate::masses::MassHere;
 use crate::polygons::PolygonsHere;
 use crate::profile::ProfileSummary;
@@ -75,6 +76,7 @@ fn the_scripts_know_what_crosses_the_border() {
         SynthesisSummary<'static>,
         PosesSummary<'static>,
         PathSummary<'static>,
+        StillSummary<'static>,
     );
     type Synthesis = (
         FamilySummary,

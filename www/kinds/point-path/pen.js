@@ -94,7 +94,7 @@ export class Pen {
       end: () => {
         this.#draw(line, closes(line));
         this.#set(false);
-        byId("path-pen", HTMLButtonElement).focus({ preventScroll: true });
+        this.button.focus({ preventScroll: true });
       },
     };
   }

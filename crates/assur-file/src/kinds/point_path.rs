@@ -1,5 +1,6 @@
 //! Saved form of a path that a point of a linkage is to trace.
 
+use assur::linkage::LinkageSpec;
 use assur::synthesis::approximation::{Course, Search, Target, TargetError, Tracing, Wanted};
 use assur::synthesis::cognates::{
     CouplerError, CouplerFourBar, CouplerSliderCrank, SliderCrankError,
@@ -139,6 +140,8 @@ pub struct PathTask {
     pub target: Target,
     /// The linkage; none if the search finds none.
     pub shown: Option<Tracing>,
+    /// Unit of lengths.
+    unit: Option<LengthUnit>,
 }
 
 impl CourseDocument {
@@ -328,7 +331,11 @@ impl PathDocument {
                 search.best().map(|best| best.linkage)
             }
         };
-        Ok(PathTask { target, shown })
+        Ok(PathTask {
+            target,
+            shown,
+            unit: self.unit,
+        })
     }
 }
 
@@ -342,9 +349,15 @@ impl PathTask {
             .shown
             .as_ref()
             .ok_or_else(|| vec![PathProblem::NoTracing.into()])?;
-        let mut document = LinkageDocument::new(&shown.spec());
+        Ok(self.tracing(&shown.spec()))
+    }
+
+    /// A linkage that traces the path with its point P, for the simulator.
+    pub fn tracing(&self, spec: &LinkageSpec) -> LinkageDocument {
+        let mut document = LinkageDocument::new(spec);
         document.traces = vec!["P".to_owned()];
-        Ok(document)
+        document.unit = self.unit;
+        document
     }
 }
 
@@ -358,9 +371,7 @@ impl Kind for PathDocument {
     }
 
     fn linkage(&self) -> Result<LinkageDocument, Vec<Problem>> {
-        let mut document = self.task()?.linkage()?;
-        document.unit = self.unit;
-        Ok(document)
+        self.task()?.linkage()
     }
 
     fn numbers(&self) -> Result<Vec<NumberField>, Vec<Problem>> {

@@ -8,7 +8,7 @@ pub(crate) mod point_path;
 pub(crate) mod poses;
 pub(crate) mod scheme;
 pub(crate) mod synthesis;
-mod task;
+pub(crate) mod task;
 
 pub(crate) use linkage::Redrawn;
 pub(crate) use scheme::task as scheme_task;

@@ -27,6 +27,9 @@ use summary::PathSummary;
 /// Greatest number of points that can be dragged one by one.
 const MOST_HANDLES: usize = 24;
 
+/// Places of the curve of a linkage that becomes a path, few enough to be dragged.
+const PLACES: usize = MOST_HANDLES;
+
 /// Distance of a point from the traced curve, as a part of the path's size, up to which the point is met.
 const MET: f64 = 1e-6;
 
@@ -57,7 +60,7 @@ impl Path {
     pub(crate) fn new(state: &State, document: &PathDocument) -> Result<Self, Vec<Problem>> {
         state.check()?;
         let task = document.task()?;
-        let shown = Shown::new(state, document, &task)?;
+        let shown = Shown::new(state, &task)?;
         let sheet = GuidanceSheet::new(&drawing(&task, &[]), state.view.symbol);
         Ok(Self {
             held: held(&task).collect(),
@@ -87,9 +90,9 @@ pub(crate) fn of(moving: &Moving, input: f64) -> Result<PathDocument, Problem> {
     });
     let (point, tracing) = tracing.ok_or(PathProblem::NoCouplerPoint)?;
     let inputs = motion.samples(Sampling {
-        turn: MOST_HANDLES,
-        coarsest: MOST_HANDLES,
-        most: MOST_HANDLES,
+        turn: PLACES,
+        coarsest: PLACES,
+        most: PLACES,
         spacing: Spacing::Even,
         shown: assur::motion::Shown::First,
     });
@@ -126,12 +129,7 @@ fn drawing(task: &PathTask, distances: &[f64]) -> Guidance {
         }
     }
     let within = MET * task.target.size();
-    let marks = points.iter().take(if points.len() > MOST_HANDLES {
-        0
-    } else {
-        MOST_HANDLES
-    });
-    let marks = marks.enumerate().map(|(k, at)| {
+    let marks = listed(task).iter().enumerate().map(|(k, at)| {
         let number = match task.target.course() {
             Course::Points => (k + 1).to_string(),
             Course::Open | Course::Closed => String::new(),
@@ -146,15 +144,19 @@ fn drawing(task: &PathTask, distances: &[f64]) -> Guidance {
     }
 }
 
-/// Handles of the points, unless there are too many.
-fn held(task: &PathTask) -> impl Iterator<Item = Handle> + '_ {
+/// The points that can be dragged one by one: none if there are too many.
+fn listed(task: &PathTask) -> &[Point] {
     let points = task.target.points();
-    let most = if points.len() > MOST_HANDLES {
-        0
+    if points.len() > MOST_HANDLES {
+        &[]
     } else {
-        MOST_HANDLES
-    };
-    points.iter().take(most).enumerate().map(|(k, at)| Handle {
+        points
+    }
+}
+
+/// Handles of the points that can be dragged.
+fn held(task: &PathTask) -> impl Iterator<Item = Handle> + '_ {
+    listed(task).iter().enumerate().map(|(k, at)| Handle {
         name: format!("point{}", k + 1),
         role: Role::Accent2.name(),
         at: HandlePlace::Fixed(*at),
@@ -162,16 +164,11 @@ fn held(task: &PathTask) -> impl Iterator<Item = Handle> + '_ {
 }
 
 impl Shown {
-    fn new(
-        state: &State,
-        document: &PathDocument,
-        task: &PathTask,
-    ) -> Result<Option<Self>, Vec<Problem>> {
+    fn new(state: &State, task: &PathTask) -> Result<Option<Self>, Vec<Problem>> {
         let Some(tracing) = &task.shown else {
             return Ok(None);
         };
-        let mut linkage = task.linkage()?;
-        linkage.unit = document.unit;
+        let linkage = task.linkage()?;
         let moved = Moved::new(linkage.clone(), &state.view.plot)?;
         let Some(traced) = Traced::new(tracing, &moved.motion, &task.target) else {
             return Ok(None);
@@ -201,8 +198,7 @@ impl Capabilities for Path {
     }
 
     fn still(&self, _opened: f64) -> Here {
-        let points = self.task.target.points().iter().copied();
-        Here::still(self.sheet.frame(), points.take(self.held.len()))
+        Here::still(self.sheet.frame(), listed(&self.task).iter().copied())
     }
 
     fn linkage(&self) -> Option<&Moving> {

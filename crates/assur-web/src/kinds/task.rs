@@ -1,10 +1,15 @@
-//! What the tasks of synthesis on the page share: the moving linkage in the drawing of its task.
+//! What the tasks of synthesis on the page share: the moving linkage in the drawing of its task, and a task without one.
+
+use std::collections::BTreeMap;
 
 use assur::mechanism::Quantity;
-use assur_draw::{Annotations, Guidance, Role};
+use assur_draw::{Annotations, Guidance, GuidanceSheet, Role};
 use assur_file::{LinkageProblem, Moved, Problem, View};
+use serde::Serialize;
 
+use crate::handle::Handle;
 use crate::moving::Moving;
+use crate::summary::HandleSummary;
 
 /// Colours of the links of a linkage that a task gives.
 const ROLES: [(&str, Role); 4] = [
@@ -13,6 +18,29 @@ const ROLES: [(&str, Role); 4] = [
     ("rod", Role::Coupler),
     ("rocker", Role::Rocker),
 ];
+
+/// Summary of the drawing of a task without a linkage.
+#[derive(Serialize)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+pub(crate) struct StillSummary<'a> {
+    /// Always null: a task alone has no motion.
+    #[cfg_attr(test, ts(type = "null"))]
+    moves: Option<&'static str>,
+    bounds: [f64; 4],
+    handles: Vec<HandleSummary<'a>>,
+    roles: BTreeMap<&'a str, &'static str>,
+}
+
+impl<'a> StillSummary<'a> {
+    pub(super) fn new(sheet: &GuidanceSheet, held: &'a [Handle]) -> Self {
+        Self {
+            moves: None,
+            bounds: sheet.bounds(),
+            handles: held.iter().map(HandleSummary::from).collect(),
+            roles: BTreeMap::new(),
+        }
+    }
+}
 
 /// A moving linkage with what is drawn of its task.
 ///

@@ -1,14 +1,14 @@
 //! Summary of a path: how the shown linkage traces it, the cognates, and the motion of the linkage.
 
-use std::collections::BTreeMap;
-
 use assur::synthesis::approximation::{PathVerdict, Special, Tracing};
-use assur_file::{Document, LinkageDocument, TracingDocument};
+use assur::synthesis::cognates::GearedFiveBar;
+use assur_file::{Document, TracingDocument};
 use serde::Serialize;
 
 use super::Path;
 use crate::kinds::synthesis::summary::{order, passage};
-use crate::summary::{HandleSummary, MotionSummary};
+use crate::kinds::task::StillSummary;
+use crate::summary::MotionSummary;
 
 /// Summary of a path, with a linkage or without.
 #[derive(Serialize)]
@@ -33,12 +33,8 @@ pub(crate) struct TracedSummary<'a> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct LonePathSummary<'a> {
-    /// Always null: a path alone has no motion.
-    #[cfg_attr(test, ts(type = "null"))]
-    moves: Option<&'static str>,
-    bounds: [f64; 4],
-    handles: Vec<HandleSummary<'a>>,
-    roles: BTreeMap<&'a str, &'static str>,
+    #[serde(flatten)]
+    still: StillSummary<'a>,
     #[serde(flatten)]
     task: PathTaskSummary<'a>,
 }
@@ -156,10 +152,7 @@ impl<'a> PathSummary<'a> {
             }));
         }
         Self::Alone(Box::new(LonePathSummary {
-            moves: None,
-            bounds: path.sheet.bounds(),
-            handles: path.held.iter().map(HandleSummary::from).collect(),
-            roles: BTreeMap::new(),
+            still: StillSummary::new(&path.sheet, &path.held),
             task,
         }))
     }
@@ -173,13 +166,8 @@ impl<'a> PathTaskSummary<'a> {
         let geared = match tracing {
             Some(Tracing::FourBar(linkage)) => {
                 let five_bars = linkage.geared().into_iter().flatten();
-                let document = |spec| {
-                    let mut document = LinkageDocument::new(&spec);
-                    document.traces = vec!["P".to_owned()];
-                    document.unit = path.document.unit;
-                    Document::Linkage(document)
-                };
-                five_bars.map(|one| document(one.spec())).collect()
+                let document = |one: GearedFiveBar| path.task.tracing(&one.spec());
+                five_bars.map(document).map(Document::Linkage).collect()
             }
             _ => Vec::new(),
         };

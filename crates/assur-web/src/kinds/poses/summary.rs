@@ -1,7 +1,5 @@
 //! Summary of poses: the dyads and their pairs with verdicts, and the motion of the shown linkage.
 
-use std::collections::BTreeMap;
-
 use assur::Point;
 use assur::synthesis::poses::{Dyad, Linkage, Mechanism, Place, Special};
 use assur_file::{Document, Guidance, HingeDocument, Problem};
@@ -9,7 +7,8 @@ use serde::Serialize;
 
 use super::Poses;
 use crate::kinds::synthesis::summary::{order, passage};
-use crate::summary::{HandleSummary, MotionSummary};
+use crate::kinds::task::StillSummary;
+use crate::summary::MotionSummary;
 
 /// Summary of poses, with a linkage or without.
 #[derive(Serialize)]
@@ -34,12 +33,8 @@ pub(crate) struct GuidedSummary<'a> {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AloneSummary<'a> {
-    /// Always null: poses alone have no motion.
-    #[cfg_attr(test, ts(type = "null"))]
-    moves: Option<&'static str>,
-    bounds: [f64; 4],
-    handles: Vec<HandleSummary<'a>>,
-    roles: BTreeMap<&'a str, &'static str>,
+    #[serde(flatten)]
+    still: StillSummary<'a>,
     #[serde(flatten)]
     task: TaskSummary<'a>,
 }
@@ -158,10 +153,7 @@ impl<'a> PosesSummary<'a> {
             }));
         }
         Self::Alone(Box::new(AloneSummary {
-            moves: None,
-            bounds: poses.sheet.bounds(),
-            handles: poses.held.iter().map(HandleSummary::from).collect(),
-            roles: BTreeMap::new(),
+            still: StillSummary::new(&poses.sheet, &poses.held),
             task,
         }))
     }

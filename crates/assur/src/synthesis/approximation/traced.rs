@@ -169,6 +169,17 @@ impl<'a> Curve<'a> {
         Some(self.target.scaled(at))
     }
 
+    /// Half of the derivative of the squared distance from a place with respect to the input, and the squared rate of the
+    /// traced point.
+    fn approach(&self, input: f64, wanted: Complex<f64>) -> Option<(f64, f64)> {
+        let pose = self.motion.pose::<2>(input).ok()?;
+        let here = self.motion.mechanism().place(&pose, self.point);
+        let tangent: Vector = here.derivative(1) / self.target.size();
+        let off = self.target.scaled(here.place()) - wanted;
+        let along = off.re * tangent.x + off.im * tangent.y;
+        Some((along, tangent.norm_squared()))
+    }
+
     /// The nearest places to the points of the path: inputs and distances.
     fn feet(&self) -> Option<Vec<(f64, f64)>> {
         let mut feet: Vec<(f64, f64)> = Vec::new();
@@ -209,12 +220,9 @@ impl<'a> Curve<'a> {
         for _ in 0..START_STEPS {
             let (mut slope, mut square) = (0.0, 0.0);
             for (turn, wanted) in turns.iter().zip(&points) {
-                let pose = self.motion.pose::<2>(input(from, sense, *turn)).ok()?;
-                let here = self.motion.mechanism().place(&pose, self.point);
-                let tangent = here.derivative(1) / self.target.size();
-                let off = self.target.scaled(here.place()) - wanted;
-                slope += off.re * tangent.x + off.im * tangent.y;
-                square += tangent.norm_squared();
+                let (along, speed) = self.approach(input(from, sense, *turn), *wanted)?;
+                slope += along;
+                square += speed;
             }
             let next = from - slope / square;
             let there = sum(next, sense);
@@ -267,13 +275,10 @@ impl<'a> Curve<'a> {
         let high = piece[(k + 1).min(piece.len() - 1)].0;
         let mut best = (piece[k].0, (piece[k].1 - wanted).norm());
         for _ in 0..STEPS {
-            let Ok(pose) = self.motion.pose::<2>(best.0) else {
+            let Some((along, speed)) = self.approach(best.0, wanted) else {
                 break;
             };
-            let here = self.motion.mechanism().place(&pose, self.point);
-            let tangent: Vector = here.derivative(1) / self.target.size();
-            let off = self.target.scaled(here.place()) - wanted;
-            let step = (off.re * tangent.x + off.im * tangent.y) / tangent.norm_squared();
+            let step = along / speed;
             let next = (best.0 - step).clamp(low, high);
             let is_settled = (next - best.0).abs() <= SETTLED * (high - low);
             let Some(place) = step.is_finite().then(|| self.place(next)).flatten() else {
@@ -388,149 +393,4 @@ fn bars(linkage: &Tracing, motion: &Motion, input: f64) -> Option<[Vector; 2]> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::synthesis::cognates::CouplerFourBar;
-
-    /// Crank 2, coupler 5, rocker 4, frame 5, with P at a distance from the coupler.
-    fn four_bar() -> (Tracing, Motion) {
-        let at = |x: f64, y: f64| Point::new(x, y);
-        let b = at(0.0, 2.0);
-        let c = {
-            // C is 5 from B and 4 from D.
-            let d = at(5.0, 0.0);
-            let (arm, span) = (d - b, (d - b).norm());
-            let along = (25.0 - 16.0 + span * span) / (2.0 * span);
-            let across = (25.0 - along * along).sqrt();
-            let unit = arm / span;
-            b + unit * along + Vector::new(-unit.y, unit.x) * across
-        };
-        let linkage = CouplerFourBar::new([at(0.0, 0.0), at(5.0, 0.0)], [b, c], at(1.0, 5.0));
-        let linkage = Tracing::FourBar(linkage.unwrap());
-        let motion = Motion::new(Mechanism::new(&linkage.spec()).unwrap());
-        (linkage, motion)
-    }
-
-    fn place(motion: &Motion, input: f64) -> Point {
-        let mechanism = motion.mechanism();
-        let pose = motion.pose::<1>(input).unwrap();
-        mechanism
-            .place(&pose, mechanism.point("P").unwrap())
-            .place()
-    }
-
-    #[test]
-    fn feet_of_points_on_the_curve_are_their_inputs() {
-        let (linkage, motion) = four_bar();
-        let wanted = [0.1, 0.9, 1.7, 2.2, 3.3, 4.4, 5.5];
-        let points = wanted.map(|input| place(&motion, input));
-        let target = Target::new(&points, Course::Points, None).unwrap();
-        let traced = Traced::new(&linkage, &motion, &target).unwrap();
-        for (input, expected) in traced.inputs.iter().zip(wanted) {
-            let input = input.unwrap();
-            let off = nearest_to(input, expected) - expected;
-            assert!(off.abs() < 1e-7, "{input}, not {expected}");
-        }
-        assert!(traced.deviation.greatest < 1e-12, "{:?}", traced.deviation);
-        let Some(PathVerdict::FourBar(verdict)) = traced.verdict else {
-            panic!("{:?}", traced.verdict);
-        };
-        assert_eq!(verdict.order, crate::synthesis::four_bar::Order::Growing);
-    }
-
-    /// Points of both assemblies: of a crank-rocker on two circuits, of a triple rocker on two branches of one. The motion
-    /// reaches those of one assembly, and the verdict names the defect.
-    #[test]
-    fn points_of_the_other_assembly_are_not_reached() {
-        use crate::synthesis::four_bar::Passage;
-        let at = |x: f64, y: f64| Point::new(x, y);
-        let place_c = |b: Point, d: Point, [coupler, rocker]: [f64; 2]| {
-            let (arm, span) = (d - b, (d - b).norm());
-            let along = (coupler.powi(2) - rocker.powi(2) + span * span) / (2.0 * span);
-            let unit = arm / span;
-            let across = (coupler.powi(2) - along * along).sqrt();
-            b + unit * along + Vector::new(-unit.y, unit.x) * across
-        };
-        let cases = [
-            ([0.0, 2.0], [5.0, 4.0], Passage::OtherCircuit),
-            ([0.0, 4.0], [3.0, 3.5], Passage::AcrossDeadPoint),
-        ];
-        for ([x, y], lengths, expected) in cases {
-            let (a, d, b) = (at(0.0, 0.0), at(5.0, 0.0), at(x, y));
-            let c = place_c(b, d, lengths);
-            let point = b + 0.5 * (c - b) + Vector::new(0.3, 1.0);
-            let linkage = CouplerFourBar::new([a, d], [b, c], point).unwrap();
-            let reflected = linkage.reflected().unwrap();
-            let motion =
-                |linkage: &CouplerFourBar| Motion::new(Mechanism::new(&linkage.spec()).unwrap());
-            let (shown, other) = (motion(&linkage), motion(&reflected));
-            let [from, to] = shown.cycle().arcs()[0];
-            let input = |share: f64| from + share * (to - from);
-            let of = |motion: &Motion, share: f64| place(motion, input(share));
-            let points = [
-                of(&shown, 0.3),
-                of(&shown, 0.45),
-                of(&other, 0.5),
-                of(&shown, 0.6),
-            ];
-            let target = Target::new(&points, Course::Points, None).unwrap();
-            let traced = Traced::new(&Tracing::FourBar(linkage), &shown, &target).unwrap();
-            let reached: Vec<bool> = traced.inputs.iter().map(Option::is_some).collect();
-            assert_eq!(reached, [true, true, false, true], "{expected:?}");
-            assert!(traced.deviation.greatest < 1e-9, "{:?}", traced.deviation);
-            let Some(PathVerdict::FourBar(verdict)) = traced.verdict else {
-                panic!("{:?}", traced.verdict);
-            };
-            assert_eq!(verdict.passage, expected);
-        }
-    }
-
-    /// Points at given turns of the crank, forwards and backwards, from an angle that is not given.
-    #[test]
-    fn crank_angles_are_met_in_either_sense() {
-        let (linkage, motion) = four_bar();
-        let turns = [0.0, 0.4, 1.1, 1.9, 3.0];
-        for sense in [1.0, -1.0] {
-            let points = turns.map(|turn| place(&motion, 1.3 + sense * turn));
-            let target = Target::new(&points, Course::Points, Some(&turns)).unwrap();
-            let traced = Traced::new(&linkage, &motion, &target).unwrap();
-            assert!(traced.deviation.greatest < 1e-11, "{:?}", traced.deviation);
-            let [first, second] = [0, 1].map(|k| traced.inputs[k].unwrap());
-            let step = nearest_to(second - first, 0.0);
-            assert!((step - sense * 0.4).abs() < 1e-9, "{step}");
-            // Other turns are not met, though the points are on the curve.
-            let others = turns.map(|turn| 1.1 * turn);
-            let target = Target::new(&points, Course::Points, Some(&others)).unwrap();
-            let traced = Traced::new(&linkage, &motion, &target).unwrap();
-            assert!(traced.deviation.greatest > 1e-3, "{:?}", traced.deviation);
-        }
-    }
-
-    /// A closed polyline of the curve itself, and the same moved by a tenth.
-    #[test]
-    fn a_drawn_curve_is_compared_both_ways() {
-        let (linkage, motion) = four_bar();
-        let along = |k: usize| place(&motion, f64::from(k as u32) * std::f64::consts::TAU / 200.0);
-        for moved in [0.0, 0.1] {
-            let points: Vec<Point> = (0..200)
-                .map(|k| along(k) + Vector::new(moved, 0.0))
-                .collect();
-            let target = Target::new(&points, Course::Closed, None).unwrap();
-            let traced = Traced::new(&linkage, &motion, &target).unwrap();
-            let off = traced.deviation.greatest - moved;
-            assert!(off.abs() < 2e-3, "{moved}: {:?}", traced.deviation);
-        }
-    }
-
-    /// Half of the curve: the other half does not count.
-    #[test]
-    fn only_the_traced_part_counts() {
-        let (linkage, motion) = four_bar();
-        let points: Vec<Point> = (0..100)
-            .map(|k| place(&motion, 5.0 + 0.03 * f64::from(k)))
-            .collect();
-        let target = Target::new(&points, Course::Open, None).unwrap();
-        let traced = Traced::new(&linkage, &motion, &target).unwrap();
-        assert!(traced.deviation.greatest < 2e-3, "{:?}", traced.deviation);
-    }
-}
+mod tests;
