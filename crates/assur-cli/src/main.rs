@@ -199,16 +199,21 @@ enum Command {
     ///
     /// Example: assur synth --pose 0,0,0 --pose 1,0.6,30 --pose 2,0.5,65 --pivot 0,-2 --pivot 2,-2
     ///
-    /// With --through, nine times, the coupler point P passes through nine points. Of the 1,442 coupler curves through
-    /// nine points the real ones are listed, each with its three cognates, those first that pass through all points in
-    /// one motion. `complete` says that all 1,442 are found and proved by interval arithmetic.
+    /// With --through the coupler point P passes through points. Of the 1,442 coupler curves through nine points the
+    /// real ones are listed, each with its three cognates, those first that pass through all points in one motion.
+    /// `complete` says that all 1,442 are found and proved by interval arithmetic. For another number of points, with
+    /// crank angles, for a curve or with slider-cranks, a search lists up to six linkages, the nearest to the path first,
+    /// with their greatest distance from it. `exact` says that the points are met within rounding.
     ///
-    /// With --through and --json: {"solutions": [{"points", "links", "dyads", "curve", "residual", "error", "verdict":
-    /// {"order", "circuit", "branch", "grashof", "transmission"}}], "curves", "unproved", "count", "complete"}, with
-    /// the transmission angle in radians.
+    /// With --through and --json: {"solutions": [{"points", "links", "dyads", "verdict": {"order", "circuit", "branch",
+    /// "grashof", "transmission"}}], "count", "complete"}, with the transmission angle in radians. Four-bars through nine
+    /// points also have "curve", "residual" and "error", beside "curves" and "unproved" of them all; linkages of a search
+    /// have "mechanism", "greatest" and "root_mean_square", beside "candidates", "exact" and "special".
     ///
     /// Example: assur synth --through 0.9,-0.1 --through 1.2,-1.2 --through 1.5,-0.9 --through 1.7,-0.5
     /// --through 1.72,-0.3 --through 1.73,0 --through 1.66,0.33 --through 1.5,0.74 --through 1.3,0.92
+    ///
+    /// Example: assur synth --through 0,0 --through 1,0.6 --through 2,0.4 --through 1.5,-0.5 --course closed
     Synth(synth::Asked),
 }
 

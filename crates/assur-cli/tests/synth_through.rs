@@ -1,4 +1,4 @@
-//! `assur synth --through`: four-bars through nine points of a path.
+//! `assur synth --through`: all four-bars through nine points, and approximations of other paths.
 
 use super::synth::{json, number, refused, said};
 
@@ -59,11 +59,6 @@ fn all_four_bars_through_nine_points_are_listed() {
 
 #[test]
 fn points_without_a_finite_number_of_four_bars_are_explained() {
-    let sentence = refused(&through(&POINTS[..8]));
-    assert!(
-        sentence.contains("nine points leave a finite number of four-bars, here are 8"),
-        "{sentence}"
-    );
     let mut twice = POINTS;
     twice[8] = twice[0];
     assert!(refused(&through(&twice)).contains("points 1 and 9 coincide"));
@@ -79,6 +74,105 @@ fn points_without_a_finite_number_of_four_bars_are_explained() {
     let mut both = through(&POINTS);
     both.extend(["--position", "240,45"]);
     assert!(refused(&both).contains("cannot be used with"));
+}
+
+/// Coupler points of a crank-rocker at crank angles 0°, 30°, 100°, 170°, 260°, computed apart from the engine: A = (0, 0),
+/// AB = 1, BC = 3, CD = 2.5, D = (3, 0); P is 1.5 along BC and 1 to its left.
+const TIMED: [(&str, &str); 5] = [
+    ("1.0169527,1.8026959", "0"),
+    ("1.3190819,2.2449183", "30"),
+    ("0.6537102,2.5865188", "100"),
+    ("-0.3671553,1.8673144", "170"),
+    ("-0.3983655,0.8039075", "260"),
+];
+
+#[test]
+fn five_points_with_crank_angles_are_met() {
+    let mut arguments: Vec<&str> = Vec::new();
+    for (point, angle) in TIMED {
+        arguments.extend(["--through", point, "--angle", angle]);
+    }
+    let found = json(&arguments);
+    assert_eq!(found["kind"], "approximation");
+    let best = &found["solutions"][0];
+    assert!(number(&best["greatest"]) < 1e-6, "{best}");
+    assert_eq!(best["verdict"]["order"], "growing");
+    assert_eq!(best["dyads"][1]["type"], "RR");
+    assert_eq!(found["complete"], false);
+}
+
+#[test]
+fn a_closed_curve_is_approximated() {
+    let square = ["0,0", "2,0", "2,2", "0,2"];
+    let mut arguments = through(&square);
+    arguments.extend([
+        "--course",
+        "closed",
+        "--slider-cranks",
+        "--candidates",
+        "5000",
+    ]);
+    let found = json(&arguments);
+    assert_eq!(found["candidates"], 5_000);
+    assert_eq!(found["special"], serde_json::Value::Null);
+    let distances = found["solutions"].as_array().unwrap().iter();
+    let distances: Vec<f64> = distances.map(|one| number(&one["greatest"])).collect();
+    assert!(
+        distances.is_sorted() && (0.01..0.6).contains(&distances[0]),
+        "{distances:?}"
+    );
+    let table = said(&arguments);
+    assert!(
+        table.contains("greatest") && table.contains("candidates     5000"),
+        "{table}"
+    );
+}
+
+#[test]
+fn lines_and_circles_are_named() {
+    let mut line = through(&["0,0", "1,1", "2,2"]);
+    line.push("--slider-cranks");
+    assert!(said(&line).contains("all points are in line: the slider of a slider-crank"));
+    let circle = said(&through(&["5,0", "0,5", "-5,0", "0,-5"]));
+    assert!(
+        circle.contains("the circle of radius 5 about (0, 0)"),
+        "{circle}"
+    );
+}
+
+#[test]
+fn bad_paths_are_explained() {
+    let sentence = refused(&through(&["0,0", "1,1", "0,0"]));
+    assert!(
+        sentence.contains("at least three different points, here are 2"),
+        "{sentence}"
+    );
+    let mut few = through(&POINTS[..5]);
+    few.extend(["--angle", "0", "--angle", "30"]);
+    assert!(refused(&few).contains("one crank angle per point, here are 2"));
+    let mut curve = through(&POINTS[..3]);
+    curve.extend([
+        "--angle", "0", "--angle", "1", "--angle", "2", "--course", "open",
+    ]);
+    assert!(refused(&curve).contains("leave --course out"));
+    assert!(
+        refused(&[
+            "--through",
+            "1e10,0",
+            "--through",
+            "0,0",
+            "--through",
+            "0,1"
+        ])
+        .contains("from -1e9 to 1e9")
+    );
+    let mut none = through(&POINTS[..3]);
+    none.extend(["--candidates", "0"]);
+    assert!(refused(&none).contains("--candidates"));
+    let mut both = through(&POINTS[..3]);
+    both.extend(["--pose", "0,0,0"]);
+    assert!(refused(&both).contains("cannot be used with"));
+    assert!(refused(&["--course", "open"]).contains("--through"));
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! The four-bar for given positions: the possible linkages and their verdicts.
 
+mod approximated;
 mod described;
 mod function;
+mod linkage;
 mod poses;
 mod through;
 mod words;

@@ -3,20 +3,17 @@
 use std::io::Write;
 
 use assur::Point;
-use assur::linkage::LinkageSpec;
 use assur::synthesis::four_bar::{Criterion, Requirements};
 use assur::synthesis::poses::{
     Dyad, Linkage, Mechanism, Place, Pose, Solutions, Special, Task, Wanted,
 };
 use clap::Args;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
+use super::linkage::{self, SHOWN};
 use super::words;
 use crate::Failure;
 use crate::words::class;
-
-/// Maximum number of linkages in the table; JSON has them all.
-const SHOWN: usize = 20;
 
 /// Arguments of a task of poses.
 #[derive(Args)]
@@ -106,14 +103,15 @@ pub(super) fn write(out: &mut impl Write, asked: &OnPoses, as_json: bool) -> Res
 fn report(task: &Task, asked: &OnPoses, found: &Solutions) -> Value {
     let poses = asked.poses.iter();
     let poses = poses.map(|[x, y, degrees]| json!({"x": x, "y": y, "angle_deg": degrees}));
-    let solutions = found.linkages.iter().map(|linkage| {
-        let spec = linkage.spec(task, 0);
-        json!({
-            "points": points(&spec),
-            "links": links(&spec),
-            "dyads": linkage.dyads.iter().map(|dyad| described(task, dyad)).collect::<Value>(),
-            "verdict": verdict(linkage),
-        })
+    let solutions = found.linkages.iter().map(|found| {
+        let mut solution = linkage::described(&found.spec(task, 0));
+        solution["dyads"] = found
+            .dyads
+            .iter()
+            .map(|dyad| described(task, dyad))
+            .collect();
+        solution["verdict"] = verdict(found);
+        solution
     });
     json!({
         "kind": "poses",
@@ -157,23 +155,8 @@ fn described(task: &Task, dyad: &Dyad) -> Value {
     described
 }
 
-fn points(spec: &LinkageSpec) -> Value {
-    let points = spec.points.iter();
-    let points = points.map(|point| (point.name.clone(), json!([point.at.x, point.at.y])));
-    Value::Object(points.collect())
-}
-
-fn links(spec: &LinkageSpec) -> Value {
-    let mut links = Map::new();
-    links.insert("frame".to_owned(), json!(spec.frame));
-    for link in &spec.links {
-        links.insert(link.name.clone(), json!(link.points));
-    }
-    Value::Object(links)
-}
-
-fn verdict(linkage: &Linkage) -> Value {
-    let Ok(verdict) = &linkage.verdict else {
+fn verdict(found: &Linkage) -> Value {
+    let Ok(verdict) = &found.verdict else {
         return Value::Null;
     };
     let grashof = match verdict.mechanism {
@@ -184,8 +167,8 @@ fn verdict(linkage: &Linkage) -> Value {
         "mechanism": verdict.mechanism.code(),
         "passage": words::passage(verdict.passage),
         "order": words::order(verdict.order),
-        "circuit": verdict.is_on_one_circuit(),
-        "branch": verdict.is_on_one_branch(),
+        "circuit": verdict.passage.is_on_one_circuit(),
+        "branch": verdict.passage.is_on_one_branch(),
         "grashof": grashof,
         "turns_fully": verdict.turns,
         "transmission": verdict.transmission,
@@ -206,9 +189,8 @@ fn table(out: &mut impl Write, task: &Task, found: &Solutions) -> Result<(), Fai
     if is_family && found.dyads.is_empty() {
         writeln!(out, "{}", words::WANTED)?;
     }
-    let number = |value: f64| words::value(&json!(value));
     let place = |place: Place| match place {
-        Place::Finite(point) => format!("{}, {}", number(point.x), number(point.y)),
+        Place::Finite(point) => linkage::place(point),
         Place::Infinite(_) => "-".to_owned(),
     };
     writeln!(
@@ -220,30 +202,22 @@ fn table(out: &mut impl Write, task: &Task, found: &Solutions) -> Result<(), Fai
         let [pivot, point] = [dyad.centre(), dyad.point()].map(place);
         writeln!(out, "{k:<6} {:<5} {pivot:<32} {point:<32}", dyad.code())?;
     }
+    let verdicts = linkage::row(linkage::VERDICT);
     writeln!(
         out,
-        "\n{:<8} {:<22} {:<8} {:<8} {:<8} {:<7} {:<14} {:<13}",
-        "linkage", "mechanism", "dyads", "order", "circuit", "branch", "grashof", "transmission"
+        "\n{:<8} {:<22} {:<8} {verdicts}",
+        "linkage", "mechanism", "dyads"
     )?;
     let index = |dyad: &Dyad| {
         let place = found.dyads.iter().position(|other| other == dyad);
         place.map_or_else(String::new, |place| (place + 1).to_string())
     };
-    for (k, linkage) in (1..).zip(found.linkages.iter().take(SHOWN)) {
-        let dyads = linkage.dyads.each_ref().map(index).join("+");
-        let told = verdict(linkage);
-        let of = |key: &str| words::value(&told[key]);
-        let transmission = told["transmission_deg"].as_f64();
-        let transmission = transmission.map_or("-".to_owned(), |angle| format!("{angle:.1}°"));
-        writeln!(
-            out,
-            "{k:<8} {:<22} {dyads:<8} {:<8} {:<8} {:<7} {:<14} {transmission:<13}",
-            of("mechanism"),
-            of("order"),
-            of("circuit"),
-            of("branch"),
-            of("grashof"),
-        )?;
+    for (k, found) in (1..).zip(found.linkages.iter().take(SHOWN)) {
+        let dyads = found.dyads.each_ref().map(index).join("+");
+        let verdict = verdict(found);
+        let mechanism = words::value(&verdict["mechanism"]);
+        let cells = linkage::cells(&verdict);
+        writeln!(out, "{k:<8} {mechanism:<22} {dyads:<8} {cells}")?;
     }
     let complete = if found.complete { "yes" } else { "no" };
     writeln!(out, "\n{:<14} {}", "count", found.linkages.len())?;

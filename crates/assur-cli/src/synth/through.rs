@@ -1,31 +1,73 @@
-//! The four-bars whose coupler point passes through given points.
+//! The linkages whose point passes through given points: arguments, and all four-bars through nine points.
 
 use std::io::Write;
 
 use assur::Point;
-use assur::synthesis::four_bar::{Passage, Verdict};
-use assur::synthesis::path::{
-    CURVES, NinePoints, PathFourBar, RankedFourBar, Search, Start, StartError,
-};
-use clap::Args;
-use serde_json::{Map, Value, json};
+use assur::synthesis::approximation::Course;
+use assur::synthesis::path::{CURVES, NinePoints, RankedFourBar, Search, Start, StartError};
+use clap::{Args, ValueEnum};
+use serde_json::{Value, json};
 
-use super::words;
+use super::linkage::{self, SHOWN};
+use super::{approximated, words};
 use crate::Failure;
-use crate::words::class;
+use crate::words::number;
 
 /// Start data of the search, as the page fetches them.
 const START: &[u8] = include_bytes!("../../../../www/data/nine-points.bin");
 
-/// Maximum number of linkages in the table; JSON has them all.
-const SHOWN: usize = 20;
+/// Default number of linkages that a search compares.
+const CANDIDATES: u32 = 200_000;
+
+/// Number of points for which all four-bars are found.
+const NINE: usize = 9;
 
 /// Arguments of a task of a path.
 #[derive(Args)]
 pub(crate) struct OnPath {
-    /// A point of a path instead of positions. Nine points in their order
-    #[arg(id = "through", long = "through", value_name = "X,Y", conflicts_with_all = ["positions", "function", "l2", "coupler", "lengths", "free"], value_parser = point, allow_hyphen_values = true)]
-    points: Vec<[f64; 2]>,
+    /// A point of a path instead of positions, in order. Nine points have a finite number of four-bars, which are all
+    /// listed; otherwise a search approximates the path
+    #[arg(id = "through", long = "through", value_name = "X,Y", conflicts_with_all = ["positions", "function", "pose", "l2", "coupler", "lengths", "free"], value_parser = point, allow_hyphen_values = true)]
+    pub(super) points: Vec<[f64; 2]>,
+    /// Crank angle at a point in degrees, once per point; only differences count
+    #[arg(id = "angle", long = "angle", requires = "through", value_name = "DEG", value_parser = number, allow_hyphen_values = true)]
+    pub(super) angles: Vec<f64>,
+    /// What the points mean: points to be passed, or a curve
+    #[arg(
+        id = "course",
+        long = "course",
+        requires = "through",
+        value_name = "COURSE",
+        default_value = "points"
+    )]
+    pub(super) course: CourseName,
+    /// Approximates with slider-cranks, too
+    #[arg(long, requires = "through")]
+    pub(super) slider_cranks: bool,
+    /// Approximates, with so many linkages compared; without it nine points are exact
+    #[arg(long, requires = "through", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000_000))]
+    candidates: Option<u32>,
+}
+
+/// Meaning of the points of a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum CourseName {
+    /// Points to be passed in order; the path between them is free
+    Points,
+    /// A curve from the first point to the last
+    Open,
+    /// A closed curve
+    Closed,
+}
+
+impl From<CourseName> for Course {
+    fn from(course: CourseName) -> Self {
+        match course {
+            CourseName::Points => Self::Points,
+            CourseName::Open => Self::Open,
+            CourseName::Closed => Self::Closed,
+        }
+    }
 }
 
 fn point(text: &str) -> Result<[f64; 2], String> {
@@ -41,13 +83,30 @@ impl OnPath {
     pub(super) fn is_given(&self) -> bool {
         !self.points.is_empty()
     }
+
+    /// Number of linkages that the search compares.
+    pub(super) fn candidates(&self) -> usize {
+        self.candidates.unwrap_or(CANDIDATES) as usize
+    }
+
+    /// True if all four-bars are asked for: nine points without any wish of an approximation.
+    fn is_exact(&self) -> bool {
+        self.points.len() == NINE
+            && self.angles.is_empty()
+            && self.course == CourseName::Points
+            && !self.slider_cranks
+            && self.candidates.is_none()
+    }
 }
 
-/// Writes the real four-bars through the points, as a table or as JSON.
+/// Writes the linkages whose point traces the path, as a table or as JSON.
 ///
 /// # Errors
 /// An invalid task; output that cannot be written.
 pub(super) fn write(out: &mut impl Write, asked: &OnPath, as_json: bool) -> Result<(), Failure> {
+    if !asked.is_exact() {
+        return approximated::write(out, asked, as_json);
+    }
     let points: Vec<Point> = asked.points.iter().map(|at| Point::from(*at)).collect();
     let points = NinePoints::new(&points);
     let points = points.map_err(|error| Failure::Input(words::path_error(&error)))?;
@@ -64,42 +123,16 @@ pub(super) fn write(out: &mut impl Write, asked: &OnPath, as_json: bool) -> Resu
     Ok(())
 }
 
-fn is_on_one_circuit(verdict: &Verdict) -> bool {
-    !matches!(
-        verdict.passage,
-        Passage::OtherCircuit | Passage::Unreached(_)
-    )
-}
-
-fn is_on_one_branch(verdict: &Verdict) -> bool {
-    verdict.passage == Passage::Continuous
-}
-
 fn report(asked: &OnPath, search: &Search, found: &[RankedFourBar]) -> Value {
     let solutions = found.iter().map(|found| {
-        let spec = found.four_bar.spec();
-        let mut points = Map::new();
-        for point in &spec.points {
-            points.insert(point.name.clone(), json!([point.at.x, point.at.y]));
-        }
-        let mut links = Map::new();
-        links.insert("frame".to_owned(), json!(spec.frame));
-        for link in &spec.links {
-            links.insert(link.name.clone(), json!(link.points));
-        }
+        let mut solution = linkage::described(&found.four_bar.spec());
         let ([a, d], [b, c]) = (found.four_bar.pivots, found.four_bar.hinges);
-        let dyad = |pivot: Point, point: Point| {
-            json!({"type": "RR", "pivot": [pivot.x, pivot.y], "point": [point.x, point.y]})
-        };
-        json!({
-            "points": points,
-            "links": links,
-            "dyads": [dyad(a, b), dyad(d, c)],
-            "curve": found.curve,
-            "residual": found.four_bar.residual,
-            "error": found.error,
-            "verdict": verdict(&found.four_bar),
-        })
+        solution["dyads"] = json!([linkage::hinged(a, b), linkage::hinged(d, c)]);
+        solution["curve"] = json!(found.curve);
+        solution["residual"] = json!(found.four_bar.residual);
+        solution["error"] = json!(found.error);
+        solution["verdict"] = verdict(found);
+        solution
     });
     json!({
         "kind": "path",
@@ -112,48 +145,23 @@ fn report(asked: &OnPath, search: &Search, found: &[RankedFourBar]) -> Value {
     })
 }
 
-fn verdict(four_bar: &PathFourBar) -> Value {
-    let Ok(verdict) = &four_bar.verdict else {
-        return Value::Null;
-    };
-    let transmission = verdict.transmission_between;
-    json!({
-        "passage": words::passage(verdict.passage),
-        "order": words::order(verdict.order),
-        "circuit": is_on_one_circuit(verdict),
-        "branch": is_on_one_branch(verdict),
-        "grashof": class(verdict.grashof),
-        "turns_fully": verdict.turns,
-        "transmission": transmission,
-        "transmission_deg": transmission.map(f64::to_degrees),
-        "size_ratio": verdict.size_ratio,
-    })
+fn verdict(found: &RankedFourBar) -> Value {
+    let verdict = found.four_bar.verdict.as_ref();
+    verdict.map_or(Value::Null, linkage::verdict)
 }
 
 /// Writes a line for each four-bar, best first.
 fn table(out: &mut impl Write, search: &Search, found: &[RankedFourBar]) -> Result<(), Failure> {
-    let number = |value: f64| words::value(&json!(value));
-    let place = |point: Point| format!("{}, {}", number(point.x), number(point.y));
+    let verdicts = linkage::row(linkage::VERDICT);
     writeln!(
         out,
-        "{:<8} {:<6} {:<24} {:<24} {:<8} {:<8} {:<7} {:<14} {:<13}",
-        "linkage", "curve", "A", "D", "order", "circuit", "branch", "grashof", "transmission"
+        "{:<8} {:<6} {:<24} {:<24} {verdicts}",
+        "linkage", "curve", "A", "D"
     )?;
     for (k, found) in (1..).zip(found.iter().take(SHOWN)) {
-        let told = verdict(&found.four_bar);
-        let of = |key: &str| words::value(&told[key]);
-        let [a, d] = found.four_bar.pivots.map(place);
-        let transmission = told["transmission_deg"].as_f64();
-        let transmission = transmission.map_or("-".to_owned(), |angle| format!("{angle:.1}°"));
-        writeln!(
-            out,
-            "{k:<8} {:<6} {a:<24} {d:<24} {:<8} {:<8} {:<7} {:<14} {transmission:<13}",
-            found.curve,
-            of("order"),
-            of("circuit"),
-            of("branch"),
-            of("grashof"),
-        )?;
+        let [a, d] = found.four_bar.pivots.map(linkage::place);
+        let cells = linkage::cells(&verdict(found));
+        writeln!(out, "{k:<8} {:<6} {a:<24} {d:<24} {cells}", found.curve)?;
     }
     let complete = if search.is_complete() { "yes" } else { "no" };
     writeln!(out, "\n{:<14} {}", "count", found.len())?;

@@ -1,5 +1,6 @@
 //! Sentences on tasks that have no linkage, and the names of verdicts.
 
+use assur::synthesis::approximation::{self, TargetError};
 use assur::synthesis::four_bar::{
     Bound, Line, MemberError, Order, Passage, StartsError, Task, TaskError, ThreePositions,
 };
@@ -12,6 +13,8 @@ use super::Degrees;
 pub(super) const NO_POSITION: &str = "there is no position";
 pub(super) const COUPLERS: &str = "--coupler takes one angle for each position";
 pub(super) const TRIAL: &str = "--lengths are tried as they are: without --l2 and --free";
+pub(super) const NO_TRACING: &str =
+    "the search finds no linkage that traces the path; let it compare more, with --candidates";
 pub(super) const NO_FIVE: &str = "no four-bar takes up these five positions";
 pub(super) const TURNED: &str = "with every PHI2 turned by 180° the positions fit positive lengths: PHI2 is the \
      direction from the output link's hinge with the coupler to its fixed pivot";
@@ -86,7 +89,7 @@ pub(super) fn path_error(error: &PathError) -> String {
             "--through: nine points leave a finite number of four-bars, here {} {count}",
             if count == 1 { "is" } else { "are" }
         ),
-        PathError::Place(k) => format!("point {}: x and y must be from -1e9 to 1e9", k + 1),
+        PathError::Place(k) => place_error(k),
         PathError::Coincident(j, k) => format!(
             "points {} and {} coincide: fewer than nine different points leave a family of four-bars",
             j + 1,
@@ -102,6 +105,47 @@ pub(super) fn path_error(error: &PathError) -> String {
             short(radius),
             short(beside(centre.x, radius)),
             short(beside(centre.y, radius))
+        ),
+    }
+}
+
+/// Describes why points with their crank angles are no path in a sentence.
+pub(super) fn target_error(error: &TargetError) -> String {
+    match *error {
+        TargetError::TooFew { distinct } => format!(
+            "--through: a path has at least three different points, here {} {distinct}",
+            if distinct == 1 { "is" } else { "are" }
+        ),
+        TargetError::NotFinite(k) => place_error(k),
+        TargetError::Angles { count } => {
+            format!(
+                "--angle: give one crank angle per point, here {} {count}",
+                if count == 1 { "is" } else { "are" }
+            )
+        }
+        TargetError::Angle(k) => format!("crank angle {}: it must be from -1e9 to 1e9", k + 1),
+        TargetError::AnglesOfCurve => {
+            "--angle: crank angles belong to points, not to a curve; leave --course out".to_owned()
+        }
+    }
+}
+
+fn place_error(k: usize) -> String {
+    format!("point {}: x and y must be from -1e9 to 1e9", k + 1)
+}
+
+/// States the linkage of a path on a line or on a circle.
+pub(super) fn special_path(special: &approximation::Special) -> String {
+    match special {
+        approximation::Special::Line { .. } => {
+            "all points are in line: the slider of a slider-crank traces the path exactly"
+                .to_owned()
+        }
+        approximation::Special::Circle { centre, radius } => format!(
+            "all points are on the circle of radius {} about ({}, {}): the end of a crank traces the path exactly",
+            short(*radius),
+            short(beside(centre.x, *radius)),
+            short(beside(centre.y, *radius))
         ),
     }
 }

@@ -43,6 +43,21 @@ pub enum Passage {
     Unreached(usize),
 }
 
+impl Passage {
+    /// True if all positions are on one circuit: the linkage reaches them without being taken apart.
+    pub fn is_on_one_circuit(self) -> bool {
+        matches!(
+            self,
+            Self::Continuous | Self::ThroughChangePoint | Self::AcrossDeadPoint
+        )
+    }
+
+    /// True if all positions are on one branch: the driver reaches them without a dead point between.
+    pub fn is_on_one_branch(self) -> bool {
+        self == Self::Continuous
+    }
+}
+
 /// Order of the positions while the input moves in one direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {

@@ -68,21 +68,6 @@ impl Mechanism {
     }
 }
 
-impl Verdict {
-    /// True if all poses are on one circuit: the linkage reaches them without being taken apart.
-    pub fn is_on_one_circuit(&self) -> bool {
-        matches!(
-            self.passage,
-            Passage::Continuous | Passage::ThroughChangePoint | Passage::AcrossDeadPoint
-        )
-    }
-
-    /// True if all poses are on one branch: the driver reaches them without a dead point between.
-    pub fn is_on_one_branch(&self) -> bool {
-        self.passage == Passage::Continuous
-    }
-}
-
 /// The verdict on a linkage driven by its first dyad.
 ///
 /// # Errors
