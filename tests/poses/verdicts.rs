@@ -106,7 +106,7 @@ fn agrees(task: &Task, linkage: &Linkage) -> bool {
     if !all {
         return true;
     }
-    assert!(verdict.is_on_one_circuit() && verdict.is_on_one_branch());
+    assert!(verdict.passage.is_on_one_circuit() && verdict.passage.is_on_one_branch());
     // A driven slide is given a range that ends at the poses.
     let is_crank = motion.cycle().turns();
     let turns = motion.cycle().is_full() && is_crank;
@@ -164,7 +164,11 @@ fn verdicts_on_four_bars() {
         };
         let linkage = Linkage::new(&task, [a, d]);
         judged += usize::from(agrees(&task, &linkage));
-        let passes = |one: &Linkage| one.verdict.as_ref().is_ok_and(|one| one.is_on_one_branch());
+        let passes = |one: &Linkage| {
+            one.verdict
+                .as_ref()
+                .is_ok_and(|one| one.passage.is_on_one_branch())
+        };
         passing += usize::from(passes(&linkage));
     }
     assert!(judged >= 200 && passing >= 40, "{judged} {passing}");
@@ -219,7 +223,7 @@ fn verdicts_on_linkages_with_slides() {
         let passes = linkage
             .verdict
             .as_ref()
-            .is_ok_and(|one| one.is_on_one_branch());
+            .is_ok_and(|one| one.passage.is_on_one_branch());
         passing[kind] += usize::from(passes);
     }
     assert!(

@@ -214,7 +214,7 @@ enum Command {
     /// --through 1.72,-0.3 --through 1.73,0 --through 1.66,0.33 --through 1.5,0.74 --through 1.3,0.92
     ///
     /// Example: assur synth --through 0,0 --through 1,0.6 --through 2,0.4 --through 1.5,-0.5 --course closed
-    Synth(synth::Asked),
+    Synth(Box<synth::Asked>),
 }
 
 /// A failure, with its message.
