@@ -12,6 +12,8 @@ mod browser;
 mod host;
 #[path = "page/picture.rs"]
 mod picture;
+#[path = "page/pointer.rs"]
+mod pointer;
 
 use std::env;
 use std::time::{Duration, Instant};
@@ -24,7 +26,8 @@ use serde_json::json;
 /// is used, so that the page's memory is its own.
 ///
 /// `frames` waits for a number of animation frames. `drag` presses a slider, moves it
-/// by its own steps down and up, one a frame, and releases it, as a hand does. It hands
+/// by its own steps down and up, one a frame, and releases it, as a hand does; `dragFrom` does so from a place of the
+/// drawing, around it. Both hand
 /// on what each step kept the main thread busy for, in milliseconds: the event, and all
 /// of the frame after it, of which a message posted from within is the end. `live` plays and drags by
 /// turns until `living` is no more. `memory` is the engine's.
@@ -33,21 +36,34 @@ const BENCH: &str = "globalThis.bench = {
         const frame = () => (left-- > 0 ? requestAnimationFrame(frame) : done([]));
         requestAnimationFrame(frame);
     }),
-    drag: (steps) => new Promise((done) => {
+    drag: (steps) => {
         const slider = document.getElementById('slider-l3');
+        return bench.dragged(slider, steps, [0, 0], (k) => {
+            if (k % 60 < 30) slider.stepUp(); else slider.stepDown();
+            slider.dispatchEvent(new Event('input', { bubbles: true }));
+        });
+    },
+    dragFrom: (x, y, steps) => {
+        const canvas = document.getElementById('mechanism');
+        const { left, top } = canvas.getBoundingClientRect();
+        const at = (k) => [left + x + 12 * Math.sin(k / 9), top + y + 12 * Math.sin(k / 7)];
+        return bench.dragged(canvas, steps, at(0), (k) => canvas.dispatchEvent(bench.event('pointermove', at(k))));
+    },
+    event: (name, [clientX, clientY]) =>
+        new PointerEvent(name, { clientX, clientY, pointerId: 1, isPrimary: true, button: 0, buttons: 1, bubbles: true }),
+    dragged: (element, steps, at, move) => new Promise((done) => {
         const spent = [];
         const { port1, port2 } = new MessageChannel();
         let event = 0, frame = 0;
         const step = () => {
             if (spent.length === steps) {
-                slider.dispatchEvent(new PointerEvent('pointerup', { bubbles: true }));
+                element.dispatchEvent(bench.event('pointerup', at));
                 port1.close();
                 return done(spent);
             }
             requestAnimationFrame(() => { frame = performance.now(); });
             const start = performance.now();
-            if (spent.length % 60 < 30) slider.stepUp(); else slider.stepDown();
-            slider.dispatchEvent(new Event('input', { bubbles: true }));
+            move(spent.length);
             event = performance.now() - start;
             requestAnimationFrame(() => port2.postMessage(0));
         };
@@ -55,7 +71,7 @@ const BENCH: &str = "globalThis.bench = {
             spent.push(event + performance.now() - frame);
             setTimeout(step);
         };
-        slider.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
+        element.dispatchEvent(bench.event('pointerdown', at));
         step();
     }),
     live: async () => {
@@ -151,7 +167,76 @@ async fn page_speed() {
     page.click("play").await;
 
     memory(&page).await;
+    forces(&page).await;
+    poses(&page).await;
     page.close().await;
+}
+
+/// Processor time of a frame while a loaded linkage plays with its force plan, arrows and plots.
+async fn forces(page: &Page) {
+    for name in ["slider-crank", "jansen", "class4-dwell"] {
+        let document = assur_file::document(name).unwrap().unwrap();
+        let mut document = serde_json::to_value(document).unwrap()["document"].take();
+        for link in document["links"].as_array_mut().unwrap() {
+            link["mass"] = json!(1);
+        }
+        document["gravity"] = json!([0, -10]);
+        document["unit"] = json!("m");
+        let script = format!(
+            "const said = (value) => encodeURIComponent(typeof value === 'string' ? value : JSON.stringify(value));
+            const pairs = Object.entries({document}).map(([key, value]) => `d.${{key}}=${{said(value)}}`);
+            location.hash = ['2', 'kind=linkage', ...pairs, 'v.playing=true', 'v.omega=2', 'v.forces=true', 'v.force_plan=true'].join('&')"
+        );
+        page.ask(&script).await;
+        page.until("the plan", async || {
+            page.count("#force-plan-shown:not([hidden])").await == 1
+        })
+        .await;
+        have(page, "frames(30)").await;
+        let spent = processor(page, &format!("frames({FRAMES})")).await;
+        print(
+            &format!("{name} playing with plan, arrows and plots, ms of processor"),
+            spent / FRAMES,
+        );
+    }
+}
+
+/// Processor time of a step while one of four poses is dragged, with both curves of hinges, and of five.
+async fn poses(page: &Page) {
+    page.anew(&format!("{}#poses-five&v.playing=false", home()))
+        .await;
+    for count in [5, 4] {
+        page.until("the poses", async || page.count("[name=pair]").await > 0)
+            .await;
+        let place = format!("document.getElementById('field-pose-x-{count}').value");
+        let before = page.ask(&format!("return {place}")).await;
+        let mut measured = false;
+        for (x, y) in page.handles().await {
+            have(page, &format!("dragFrom({x}, {y}, 5)")).await;
+            if page.ask(&format!("return {place}")).await == before {
+                continue;
+            }
+            let spent = processor(page, &format!("dragFrom({x}, {y}, {STEPS})")).await;
+            print(
+                &format!("step of a dragged pose of {count}, ms of processor"),
+                spent / STEPS as f64,
+            );
+            measured = true;
+            break;
+        }
+        assert!(measured, "no handle moves pose {count}");
+        page.click(&format!("poses-remove-{count}")).await;
+    }
+}
+
+/// Processor time of the main thread, in milliseconds, while the page does something of [`BENCH`].
+async fn processor(page: &Page, what: &str) -> f64 {
+    page.tool("Performance.disable", json!({})).await;
+    page.tool("Performance.enable", json!({ "timeDomain": "threadTicks" }))
+        .await;
+    let before = metric(page, "TaskDuration").await;
+    have(page, what).await;
+    (metric(page, "TaskDuration").await - before) * 1e3
 }
 
 /// Requests and bytes of a first visit until its first view stands, and how long it takes on this machine and over a slow line.

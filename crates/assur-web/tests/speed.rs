@@ -8,6 +8,8 @@
 
 #[path = "speed/coupled.rs"]
 mod coupled;
+#[path = "speed/paths.rs"]
+mod paths;
 #[path = "speed/schemes.rs"]
 mod schemes;
 
@@ -134,6 +136,8 @@ fn speed() {
     ] {
         contestants.push((name, DEGREES * SWEEPS, reactions(linkage, with_reactions)));
     }
+
+    contestants.extend(paths::contestants());
 
     let class4 = motion("class4-dwell").mechanism().clone();
     let all = class4.clone();

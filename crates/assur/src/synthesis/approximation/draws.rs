@@ -29,6 +29,10 @@ const LENGTHS: [f64; 2] = [-0.7, 2.2];
 /// crank.
 const ARM: f64 = 2.5;
 
+/// One of so many candidates has its coupler point near the rocker's end or the slider: its curve is narrow, which few
+/// others are.
+const NARROW: usize = 7;
+
 /// An endless sequence of candidates.
 #[derive(Clone, Debug)]
 pub(super) struct Draws {
@@ -90,7 +94,11 @@ impl Draws {
                 Kind::SliderCrank => slider_crank([u[0], u[1]]),
             };
             let arm = ARM * 0.5 * (1.0 + coupler) / coupler;
-            let w = Complex::new(0.5, 0.0) + Complex::from_polar(arm * u[3], TAU * u[4]);
+            let w = if self.count.is_multiple_of(NARROW) {
+                Complex::new(1.0, 0.0) + Complex::from_polar(arm * u[3].powi(3), TAU * u[4])
+            } else {
+                Complex::new(0.5, 0.0) + Complex::from_polar(arm * u[3], TAU * u[4])
+            };
             let Some(curve) = Curve::new(kind, unknowns, w) else {
                 continue;
             };

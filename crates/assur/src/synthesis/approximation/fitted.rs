@@ -18,6 +18,11 @@ const REACH: f64 = 25.0;
 /// The greatest step of a foot along τ.
 const FOOT_STEP: f64 = 0.2;
 
+/// Maximum number of further steps to a foot after one that goes past it, and the part of its distance along the curve
+/// that such a step leaves.
+const MORE_STEPS: usize = 8;
+const CONTRACTION: f64 = 0.3;
+
 /// A linkage in the plane of the path, with its feet.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
@@ -130,17 +135,31 @@ impl Fitted {
         self.point(self.x[9] + self.sense * turn)
     }
 
-    /// The foot of a place near a parameter, and its distance.
+    /// The foot of a place near a parameter, and its distance. At the end of a narrow curve a step goes past the foot; then
+    /// more steps follow, by the secant.
     pub(super) fn foot(&self, wanted: Complex<f64>, mut tau: f64, steps: usize) -> (f64, f64) {
         let alpha = self.alpha();
-        for _ in 0..steps {
+        let approach = |tau: f64| {
             let pose = self.curve.place(tau);
             let off = self.laid(self.curve.point(&pose)) - wanted;
             let tangent = alpha * mirrored(self.curve.tangent(&pose), self.mirrored);
-            let step = dot(off, tangent) / tangent.norm_sqr().max(f64::MIN_POSITIVE);
-            tau -= step.clamp(-FOOT_STEP, FOOT_STEP);
+            let square = tangent.norm_sqr().max(f64::MIN_POSITIVE);
+            (dot(off, tangent), square, off.norm())
+        };
+        let (mut along, mut square, mut distance) = approach(tau);
+        let mut past = None;
+        for k in 0..steps + MORE_STEPS {
+            if k >= steps && past.is_none() {
+                break;
+            }
+            let step = past.unwrap_or(along / square).clamp(-FOOT_STEP, FOOT_STEP);
+            let before = along;
+            tau -= step;
+            (along, square, distance) = approach(tau);
+            let is_past = along * before < 0.0 && along.abs() > CONTRACTION * before.abs();
+            past = is_past.then(|| step * along / (before - along));
         }
-        (tau, (self.point(tau) - wanted).norm())
+        (tau, distance)
     }
 
     /// Moves the feet to the nearest places of the curve near by, or to the given crank angles, and measures the

@@ -42,6 +42,10 @@ pub enum TargetError {
 /// The number of points of a path that a descent compares.
 pub(super) const COMPARED: usize = 64;
 
+/// The greatest distance of a place of a later lap from that of the first, in units of the size: that of two turns of a
+/// motion.
+const REPEATED: f64 = 1e-6;
+
 /// A path that a point of a linkage is to trace. It is always valid, because only [`Target::new`] makes one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
@@ -51,7 +55,8 @@ pub struct Target {
     centre: Point,
     size: f64,
     pub(super) special: Option<Scaled>,
-    /// The points in units of the size, from the centre; equal neighbours once unless angles are given.
+    /// The points in units of the size, from the centre; equal neighbours once unless angles are given, and one lap of a
+    /// closed path that runs round several times.
     pub(super) outline: Vec<Complex<f64>>,
     /// At most [`COMPARED`] places of the path, in the same units.
     pub(super) compared: Vec<Complex<f64>>,
@@ -110,6 +115,9 @@ impl Target {
                 && (outline[0] - outline[outline.len() - 1]).norm() <= COINCIDENT;
             if returns {
                 outline.pop();
+            }
+            if course == Course::Closed {
+                outline.truncate(lap(&outline));
             }
         }
         let compared = match course {
@@ -207,6 +215,19 @@ pub(super) fn closed(line: &[Complex<f64>]) -> Vec<Complex<f64>> {
     line
 }
 
+/// Number of points of one lap of a closed line that runs round once or several times.
+fn lap(line: &[Complex<f64>]) -> usize {
+    let count = line.len();
+    let repeats = |lap: &usize| {
+        let later = line[*lap..].iter().zip(line);
+        count.is_multiple_of(*lap)
+            && later
+                .into_iter()
+                .all(|(later, first)| (later - first).norm() <= REPEATED)
+    };
+    (3..count).find(repeats).unwrap_or(count)
+}
+
 /// At most `most` of the values, at even intervals, with the first and the last.
 fn thinned<T: Copy>(values: &[T], most: usize) -> Vec<T> {
     let count = values.len();
@@ -252,6 +273,8 @@ pub(super) fn along(line: &[Complex<f64>], count: usize) -> Vec<Complex<f64>> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
 
     fn points(places: &[[f64; 2]]) -> Vec<Point> {
@@ -278,6 +301,21 @@ mod tests {
         assert_eq!(error, Some(TargetError::Angle(2)));
         let error = with(Course::Closed, &[0.0, 1.0, 2.0]);
         assert_eq!(error, Some(TargetError::AnglesOfCurve));
+    }
+
+    /// An ellipse that is run round twice is compared as one; a curve of two different loops is not.
+    #[test]
+    fn laps_are_compared_once() {
+        let path = |of: fn(f64) -> [f64; 2]| {
+            let places = (0..48).map(|k| of(TAU * f64::from(k) / 24.0));
+            let target = Target::new(&points(&places.collect::<Vec<_>>()), Course::Closed, None);
+            target.unwrap().outline.len()
+        };
+        assert_eq!(path(|t| [t.sin(), 2.0 * t.cos()]), 24);
+        assert_eq!(
+            path(|t| [t.sin() + 0.1 * (0.5 * t).cos(), 2.0 * t.cos()]),
+            48
+        );
     }
 
     /// The square of side 3 with a diagonal of 3√2: eight places of the closed line are corners and middles of sides.
