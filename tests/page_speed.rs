@@ -169,7 +169,7 @@ async fn page_speed() {
     memory(&page).await;
     forces(&page).await;
     poses(&page).await;
-    page.close().await;
+    // Not closed with a look at the console: the service workers of hosts that have ended may complain there.
 }
 
 /// Processor time of a frame while a loaded linkage plays with its force plan, arrows and plots.
@@ -185,7 +185,8 @@ async fn forces(page: &Page) {
         let script = format!(
             "const said = (value) => encodeURIComponent(typeof value === 'string' ? value : JSON.stringify(value));
             const pairs = Object.entries({document}).map(([key, value]) => `d.${{key}}=${{said(value)}}`);
-            location.hash = ['2', 'kind=linkage', ...pairs, 'v.playing=true', 'v.omega=2', 'v.forces=true', 'v.force_plan=true'].join('&')"
+            location.hash = ['2', 'kind=linkage', ...pairs, 'v.phi_deg=30', 'v.playing=true',
+                'v.omega=2', 'v.direction=1', 'v.speed=1', 'v.traces=true', 'v.forces=true', 'v.force_plan=true', 'v.lang=en'].join('&')"
         );
         page.ask(&script).await;
         page.until("the plan", async || {

@@ -59,7 +59,10 @@ pub(crate) async fn kind_is_named_and_fits(page: &Page, kind: &str, prefix: &str
             "return [...document.querySelectorAll('[data-of={kind}]')].map((one) => one.innerText).join(' ')"
         );
         let text = page.ask(&script).await.as_str().unwrap().to_owned();
-        assert!(text.len() > 200 && !text.contains(prefix), "{lang}: {text}");
+        // A word without a translation shows its key; a sentence may end with the same letters.
+        let shows_key = text.split(prefix).skip(1);
+        let shows_key = shows_key.filter(|rest| rest.starts_with(|c: char| c.is_ascii_lowercase()));
+        assert!(text.len() > 200 && shows_key.count() == 0, "{lang}: {text}");
     }
 }
 
