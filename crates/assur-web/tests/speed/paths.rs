@@ -40,7 +40,7 @@ pub(crate) fn contestants() -> Vec<Contestant> {
             }),
         ),
         (
-            "a candidate of a path, compared",
+            "a candidate of a path, with the descents of 20,000",
             CANDIDATES,
             Box::new(move || {
                 black_box(search.clone().step(CANDIDATES));
