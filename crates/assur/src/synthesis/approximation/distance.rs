@@ -47,7 +47,7 @@ impl Deviation {
                 }
             }
             let (_, foot) = fitted.foot(*wanted, tau(k), STEPS);
-            distances.push(foot.min(square.sqrt()));
+            distances.push(foot);
         }
         Self::both_ways(distances, &curve, target)
     }

@@ -135,9 +135,9 @@ impl Fitted {
         self.point(self.x[9] + self.sense * turn)
     }
 
-    /// The foot of a place near a parameter, and its distance. At the end of a narrow curve a step goes past the foot; then
-    /// more steps follow, by the secant.
-    pub(super) fn foot(&self, wanted: Complex<f64>, mut tau: f64, steps: usize) -> (f64, f64) {
+    /// The foot of a place near a parameter, and its distance; the parameter itself if the steps lead away from the place.
+    /// At the end of a narrow curve a step goes past the foot; then more steps follow, by the secant.
+    pub(super) fn foot(&self, wanted: Complex<f64>, from: f64, steps: usize) -> (f64, f64) {
         let alpha = self.alpha();
         let approach = |tau: f64| {
             let pose = self.curve.place(tau);
@@ -146,7 +146,9 @@ impl Fitted {
             let square = tangent.norm_sqr().max(f64::MIN_POSITIVE);
             (dot(off, tangent), square, off.norm())
         };
-        let (mut along, mut square, mut distance) = approach(tau);
+        let mut tau = from;
+        let (mut along, mut square, first) = approach(from);
+        let mut distance = first;
         let mut past = None;
         for k in 0..steps + MORE_STEPS {
             if k >= steps && past.is_none() {
@@ -159,7 +161,11 @@ impl Fitted {
             let is_past = along * before < 0.0 && along.abs() > CONTRACTION * before.abs();
             past = is_past.then(|| step * along / (before - along));
         }
-        (tau, distance)
+        if distance <= first {
+            (tau, distance)
+        } else {
+            (from, first)
+        }
     }
 
     /// Moves the feet to the nearest places of the curve near by, or to the given crank angles, and measures the
@@ -174,15 +180,7 @@ impl Fitted {
                     let tau = start + self.sense * angles[k];
                     (tau, (self.point(tau) - wanted).norm())
                 }
-                None => {
-                    let before = (self.point(self.feet[k]) - wanted).norm();
-                    let moved = self.foot(*wanted, self.feet[k], steps);
-                    if moved.1 <= before {
-                        moved
-                    } else {
-                        (self.feet[k], before)
-                    }
-                }
+                None => self.foot(*wanted, self.feet[k], steps),
             };
             self.feet[k] = tau;
             distances.push(distance);
