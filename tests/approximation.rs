@@ -1,12 +1,12 @@
 //! Approximations of paths drawn by hand, moved by the engine: the mechanism traces what the search promises.
 
-use assur::Point;
 use assur::mechanism::Mechanism;
 use assur::motion::Motion;
 use assur::synthesis::approximation::{
     Course, Kind, Norm, PathVerdict, Search, Target, Tracing, Wanted,
 };
 use assur::synthesis::four_bar::Passage;
+use assur::{Point, Vector};
 use assur_tests::scaled;
 
 use crate::properties::random::Random;
@@ -62,9 +62,11 @@ fn mechanisms_trace_what_the_search_promises() {
             assert!(motion.cycle().is_full(), "{found:?}");
             let point = motion.mechanism().point("P").unwrap();
             let traced = |input: f64| {
-                let pose = motion.pose::<1>(input).unwrap();
-                motion.mechanism().place(&pose, point).place()
+                let pose = motion.pose::<2>(input).unwrap();
+                let here = motion.mechanism().place(&pose, point);
+                [here.place().coords, here.derivative(1)]
             };
+            let place = |input: f64| Point::from(traced(input)[0]);
             // At the inputs given for the places of the path the point is as near to the path as promised.
             let on_path: Vec<Point> = (0..points.len())
                 .flat_map(|k| {
@@ -74,7 +76,7 @@ fn mechanisms_trace_what_the_search_promises() {
                 .collect();
             let step = size * 0.01;
             for input in &found.inputs {
-                let far = off(traced(*input), &on_path);
+                let far = off(place(*input), &on_path);
                 assert!(far <= found.deviation.greatest + step, "{far} {found:?}");
             }
             // The curve that is drawn is the curve of the mechanism.
@@ -84,7 +86,7 @@ fn mechanisms_trace_what_the_search_promises() {
             let turn = std::f64::consts::TAU / 72.0;
             // A mirror image runs the other way.
             let matches = [turn, -turn].into_iter().any(|turn| {
-                let near = |k: usize| (traced(first + turn * k as f64) - curve[k]).norm();
+                let near = |k: usize| (place(first + turn * k as f64) - curve[k]).norm();
                 (0..72).all(|k| near(k) < 1e-6 * size)
             });
             assert!(matches, "{found:?}");
@@ -96,23 +98,21 @@ fn mechanisms_trace_what_the_search_promises() {
     }
 }
 
-/// The input at which a point comes nearest to a place: a grid, then the golden section.
-fn nearest_input(traced: &impl Fn(f64) -> Point, place: Point) -> f64 {
-    let far = |input: f64| (traced(input) - place).norm();
+/// The input at which a point comes nearest to a place: a grid, then halving where the distance neither grows nor falls.
+fn nearest_input(traced: &impl Fn(f64) -> [Vector; 2], place: Point) -> f64 {
+    let off = |input: f64| traced(input)[0] - place.coords;
+    let along = |input: f64| off(input).dot(&traced(input)[1]);
     let grid = (0..3_600).map(|k| f64::from(k) * std::f64::consts::TAU / 3_600.0);
     let best = grid
-        .min_by(|a, b| far(*a).total_cmp(&far(*b)))
+        .min_by(|a, b| off(*a).norm().total_cmp(&off(*b).norm()))
         .unwrap_or(0.0);
     let (mut low, mut high) = (best - 2e-3, best + 2e-3);
     for _ in 0..60 {
-        let [a, b] = [
-            low + 0.381_966 * (high - low),
-            high - 0.381_966 * (high - low),
-        ];
-        if far(a) < far(b) {
-            high = b;
+        let middle = 0.5 * (low + high);
+        if along(middle) > 0.0 {
+            high = middle;
         } else {
-            low = a;
+            low = middle;
         }
     }
     0.5 * (low + high)

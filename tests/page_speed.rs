@@ -121,34 +121,22 @@ async fn page_speed() {
     for overlay in ["centres", "vectors", "loop_vectors", "transmission"] {
         page.click(overlay).await;
     }
-    // The clock on the wall counts other programs in; the thread's own does not.
-    for (clock, name) in [
-        ("timeTicks", "main thread per frame, all overlays, ms"),
-        (
-            "threadTicks",
-            "main thread per frame, all overlays, ms of processor",
-        ),
-    ] {
-        page.tool("Performance.disable", json!({})).await;
-        page.tool("Performance.enable", json!({ "timeDomain": clock }))
-            .await;
-        let before = metric(&page, "TaskDuration").await;
-        let start = Instant::now();
-        have(&page, &format!("frames({FRAMES})")).await;
-        let passed = start.elapsed().as_secs_f64();
-        let spent = metric(&page, "TaskDuration").await - before;
-        print(name, spent / FRAMES * 1e3);
-        if clock == "timeTicks" {
-            print("frames a second, all overlays", FRAMES / passed);
-        }
-    }
+    let frames = format!("frames({FRAMES})");
+    let shown = measured(&page, Clock::Wall, &frames).await;
+    print(
+        "main thread per frame, all overlays, ms",
+        shown.busy / FRAMES,
+    );
+    print("frames a second, all overlays", FRAMES / shown.seconds);
+    let shown = measured(&page, Clock::Processor, &frames).await;
+    print(
+        "main thread per frame, all overlays, ms of processor",
+        shown.busy / FRAMES,
+    );
 
     page.click("play").await;
-    let before = metric(&page, "TaskDuration").await;
-    let start = Instant::now();
-    let mut steps = have(&page, &format!("drag({STEPS})")).await;
-    let passed = start.elapsed().as_secs_f64();
-    let spent = metric(&page, "TaskDuration").await - before;
+    let dragged = measured(&page, Clock::Processor, &format!("drag({STEPS})")).await;
+    let mut steps = dragged.numbers;
     steps.sort_by(f64::total_cmp);
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
     print(
@@ -158,11 +146,11 @@ async fn page_speed() {
     print("step of a dragged slider, mean, ms", mean);
     print(
         "step of a dragged slider, mean, ms of processor",
-        spent / steps.len() as f64 * 1e3,
+        dragged.busy / steps.len() as f64,
     );
     print(
         "steps a second of a dragged slider",
-        steps.len() as f64 / passed,
+        steps.len() as f64 / dragged.seconds,
     );
     page.click("play").await;
 
@@ -194,10 +182,10 @@ async fn forces(page: &Page) {
         })
         .await;
         have(page, "frames(30)").await;
-        let spent = processor(page, &format!("frames({FRAMES})")).await;
+        let shown = measured(page, Clock::Processor, &format!("frames({FRAMES})")).await;
         print(
             &format!("{name} playing with plan, arrows and plots, ms of processor"),
-            spent / FRAMES,
+            shown.busy / FRAMES,
         );
     }
 }
@@ -211,33 +199,57 @@ async fn poses(page: &Page) {
             .await;
         let place = format!("document.getElementById('field-pose-x-{count}').value");
         let before = page.ask(&format!("return {place}")).await;
-        let mut measured = false;
+        let mut is_measured = false;
         for (x, y) in page.handles().await {
             have(page, &format!("dragFrom({x}, {y}, 5)")).await;
             if page.ask(&format!("return {place}")).await == before {
                 continue;
             }
-            let spent = processor(page, &format!("dragFrom({x}, {y}, {STEPS})")).await;
+            let drag = format!("dragFrom({x}, {y}, {STEPS})");
+            let dragged = measured(page, Clock::Processor, &drag).await;
             print(
                 &format!("step of a dragged pose of {count}, ms of processor"),
-                spent / STEPS as f64,
+                dragged.busy / STEPS as f64,
             );
-            measured = true;
+            is_measured = true;
             break;
         }
-        assert!(measured, "no handle moves pose {count}");
+        assert!(is_measured, "no handle moves pose {count}");
         page.click(&format!("poses-remove-{count}")).await;
     }
 }
 
-/// Processor time of the main thread, in milliseconds, while the page does something of [`BENCH`].
-async fn processor(page: &Page, what: &str) -> f64 {
+/// The clock that measures the main thread. The clock on the wall counts other programs in; the thread's own does not.
+#[derive(Clone, Copy)]
+enum Clock {
+    Wall,
+    Processor,
+}
+
+/// What [`BENCH`] hands on, the seconds it took, and the time of the main thread in milliseconds.
+struct Measured {
+    numbers: Vec<f64>,
+    seconds: f64,
+    busy: f64,
+}
+
+/// Measures the page while it does something of [`BENCH`].
+async fn measured(page: &Page, clock: Clock, what: &str) -> Measured {
+    let domain = match clock {
+        Clock::Wall => "timeTicks",
+        Clock::Processor => "threadTicks",
+    };
     page.tool("Performance.disable", json!({})).await;
-    page.tool("Performance.enable", json!({ "timeDomain": "threadTicks" }))
+    page.tool("Performance.enable", json!({ "timeDomain": domain }))
         .await;
     let before = metric(page, "TaskDuration").await;
-    have(page, what).await;
-    (metric(page, "TaskDuration").await - before) * 1e3
+    let start = Instant::now();
+    let numbers = have(page, what).await;
+    Measured {
+        numbers,
+        seconds: start.elapsed().as_secs_f64(),
+        busy: (metric(page, "TaskDuration").await - before) * 1e3,
+    }
 }
 
 /// Requests and bytes of a first visit until its first view stands, and how long it takes on this machine and over a slow line.

@@ -17,7 +17,7 @@ use crate::browser::Page;
 use crate::browser::setting::lacking;
 use crate::dice::Dice;
 use crate::host::home;
-use means::{ADDRESSES, KEYS, NONSENSE, SIZES, TWICE, TYPED, WITHIN_REACH};
+use means::{ADDRESSES, KEPT, KEYS, NONSENSE, SIZES, TWICE, TYPED, WITHIN_REACH};
 
 /// What is not to be used here: it leaves the page, or hands over to the system.
 const LEFT_ALONE: &[&str] = &["print", "file-open"];
@@ -185,10 +185,7 @@ impl Hand<'_> {
         if alive != json!(true) {
             return Some("the page is gone".to_owned());
         }
-        let kept = self
-            .page
-            .ask("return Object.entries(localStorage).filter(([name]) => name === 'assur.state').map(([, text]) => text)")
-            .await;
+        let kept = self.page.ask(KEPT).await;
         for text in kept.as_array().unwrap() {
             let text = text.as_str().unwrap();
             match State::parse(text).map_err(|problem| vec![problem]) {

@@ -32,6 +32,14 @@ pub(super) const TWICE: &str = "
     const ids = [...document.querySelectorAll('[id]')].map(({ id }) => id);
     return ids.filter((id, at) => ids.indexOf(id) !== at);";
 
+/// The kept state with its picture, whose image is kept beside it.
+pub(super) const KEPT: &str = "
+    const text = localStorage.getItem('assur.state');
+    if (text === null) return [];
+    const { picture, ...rest } = JSON.parse(text);
+    const image = localStorage.getItem('assur.image');
+    return [JSON.stringify(picture && image ? { ...rest, picture: { ...picture, image } } : rest)];";
+
 /// What is typed into a field.
 pub(super) const TYPED: &[&str] = &[
     "0", "1", "-1", "0.5", "1,5", "2", "3", "12", "36", "170", "360", "1e3", "1e-9", "-0", "",

@@ -6,6 +6,7 @@ use assur::Point;
 use assur::synthesis::approximation::{
     Approximation, PathVerdict, Search, Special, Target, Tracing, Wanted,
 };
+use assur::synthesis::four_bar::Passage;
 use serde_json::{Value, json};
 
 use super::linkage;
@@ -104,7 +105,7 @@ fn verdict(verdict: Option<&PathVerdict>) -> Value {
             transmission,
             size_ratio,
         }) => json!({
-            "passage": "continuous",
+            "passage": words::passage(Passage::Continuous),
             "order": words::order(*order),
             "circuit": true,
             "branch": true,
@@ -146,7 +147,7 @@ fn table(out: &mut impl Write, search: &Search, found: &[Approximation]) -> Resu
     let progress = search.progress();
     writeln!(out, "\n{:<14} {}", "count", found.len())?;
     writeln!(out, "{:<14} {}", "candidates", progress.candidates)?;
-    let exact = if progress.exact { "yes" } else { "no" };
+    let exact = words::yes_or_no(progress.exact);
     writeln!(out, "{:<14} {exact}", "exact")?;
     Ok(())
 }

@@ -44,7 +44,11 @@ fn pose(text: &str) -> Result<[f64; 3], String> {
     numbers(text, words::POSE)
 }
 
-fn point(text: &str) -> Result<[f64; 2], String> {
+/// A point on a command line: two numbers with a comma.
+///
+/// # Errors
+/// Text that is no point.
+pub(super) fn point(text: &str) -> Result<[f64; 2], String> {
     numbers(text, words::POINT)
 }
 
@@ -219,7 +223,7 @@ fn table(out: &mut impl Write, task: &Task, found: &Solutions) -> Result<(), Fai
         let cells = linkage::cells(&verdict);
         writeln!(out, "{k:<8} {mechanism:<22} {dyads:<8} {cells}")?;
     }
-    let complete = if found.complete { "yes" } else { "no" };
+    let complete = words::yes_or_no(found.complete);
     writeln!(out, "\n{:<14} {}", "count", found.linkages.len())?;
     writeln!(out, "{:<14} {complete}", "complete")?;
     Ok(())

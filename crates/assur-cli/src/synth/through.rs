@@ -9,6 +9,7 @@ use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 
 use super::linkage::{self, SHOWN};
+use super::poses::point;
 use super::{approximated, words};
 use crate::Failure;
 use crate::words::number;
@@ -67,14 +68,6 @@ impl From<CourseName> for Course {
             CourseName::Open => Self::Open,
             CourseName::Closed => Self::Closed,
         }
-    }
-}
-
-fn point(text: &str) -> Result<[f64; 2], String> {
-    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
-    match parts.as_deref() {
-        Ok(&[x, y]) if x.is_finite() && y.is_finite() => Ok([x, y]),
-        _ => Err("a point is two numbers, as 2,1.5".to_owned()),
     }
 }
 
@@ -163,7 +156,7 @@ fn table(out: &mut impl Write, search: &Search, found: &[RankedFourBar]) -> Resu
         let cells = linkage::cells(&verdict(found));
         writeln!(out, "{k:<8} {:<6} {a:<24} {d:<24} {cells}", found.curve)?;
     }
-    let complete = if search.is_complete() { "yes" } else { "no" };
+    let complete = words::yes_or_no(search.is_complete());
     writeln!(out, "\n{:<14} {}", "count", found.len())?;
     writeln!(out, "{:<14} {} of {CURVES}", "curves", search.count())?;
     writeln!(out, "{:<14} {complete}", "complete")?;

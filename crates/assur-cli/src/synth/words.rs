@@ -312,8 +312,12 @@ pub(super) fn bound(bound: Bound) -> &'static str {
 
 /// States whether a condition (or a theorem's premise) holds as printed, and whether its conclusion is true in fact.
 pub(super) fn asked(holds: bool, truth: bool) -> Value {
-    let said = |holds: bool| if holds { "yes" } else { "no" };
-    json!({"as_printed": said(holds), "in_fact": said(truth)})
+    json!({"as_printed": yes_or_no(holds), "in_fact": yes_or_no(truth)})
+}
+
+/// The word for a truth value.
+pub(super) fn yes_or_no(truth: bool) -> &'static str {
+    if truth { "yes" } else { "no" }
 }
 
 /// Formats a value for the text report.
@@ -322,8 +326,7 @@ pub(super) fn value(value: &Value) -> String {
         Value::Null => "-".to_owned(),
         Value::Number(number) => number.as_f64().map_or(number.to_string(), short),
         Value::String(text) => text.clone(),
-        Value::Bool(true) => "yes".to_owned(),
-        Value::Bool(false) => "no".to_owned(),
+        Value::Bool(truth) => yes_or_no(*truth).to_owned(),
         Value::Array(all) => {
             let all: Vec<String> = all.iter().map(self::value).collect();
             all.join(", ")
