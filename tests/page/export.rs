@@ -207,10 +207,8 @@ async fn the_drawing_is_saved_as_svg() {
         let (here, there) = (shown.cloud(colour), painted.cloud(colour));
         let share = there.count as f64 / here.count as f64;
         assert!((0.9..1.1).contains(&share), "{here:?} {there:?}");
-        moved.push((
-            here.middle.0 - there.middle.0,
-            here.middle.1 - there.middle.1,
-        ));
+        let (here, there) = (shown.centre(colour), painted.centre(colour));
+        moved.push((here.0 - there.0, here.1 - there.1));
     }
     for by in &moved {
         let off = (by.0 - moved[0].0).hypot(by.1 - moved[0].1);

@@ -69,7 +69,6 @@ mod poses;
 mod poses_lesson;
 mod print;
 mod random_user;
-mod readme;
 mod share;
 mod sharpness;
 mod slide;

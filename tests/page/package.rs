@@ -1,4 +1,4 @@
-//! The package of npm, installed from its file and used as its README says.
+//! The package of npm, installed from its file and used as its README and that of the project say.
 
 use std::fs;
 use std::path::Path;
@@ -7,6 +7,8 @@ use std::process::Command;
 use assur_tests::{Table, assert_near};
 
 use crate::browser::setting;
+
+const README: &str = include_str!("../../README.md");
 
 #[test]
 fn the_package_is_installed_and_answers_as_the_golden_table() {
@@ -55,13 +57,28 @@ fn the_package_is_installed_and_answers_as_the_golden_table() {
         "{error}"
     );
     // Reactions of a heavy crank, by the methods that the package declares: it holds the weight at half its length.
-    fs::write(place.join("forces.mjs"), FORCES).unwrap();
-    let mut node = Command::new("node");
-    let said = node.arg("forces.mjs").current_dir(&place).output().unwrap();
-    assert!(said.status.success(), "{said:?}");
-    let [torque, bearing]: [f64; 2] = serde_json::from_slice(&said.stdout).unwrap();
+    let script = |text: &str| {
+        fs::write(place.join("script.mjs"), text).unwrap();
+        let mut node = Command::new("node");
+        let said = node.arg("script.mjs").current_dir(&place).output().unwrap();
+        assert!(said.status.success(), "{said:?}");
+        String::from_utf8(said.stdout).unwrap()
+    };
+    let [torque, bearing]: [f64; 2] = serde_json::from_str(&script(FORCES)).unwrap();
     assert_near(torque, 2.0 * 9.81 * 0.2, 1e-11, "torque");
     assert_near(bearing, 2.0 * 9.81, 1e-11, "reaction");
+    // The example of the README, with the numbers that it gives.
+    let (_, example) = README.split_once("```js\n").unwrap();
+    let (example, _) = example.split_once("```").unwrap();
+    let said = script(example);
+    let numbers: Vec<f64> = said.lines().map(|line| line.parse().unwrap()).collect();
+    assert_near(
+        numbers[0].to_degrees(),
+        87.904_535_205_78,
+        1e-9,
+        "the swing",
+    );
+    assert_near(numbers[1], 1.276_2, 1e-4, "φ₃ at 60°");
     fs::remove_dir_all(place).unwrap();
 }
 

@@ -51,6 +51,17 @@ impl Picture {
         found.map(|(index, _)| (index % self.width, index / self.width))
     }
 
+    /// The middle of the rectangle around the pixels of a colour. Unlike the middle of an extent it does not depend on how
+    /// the edges of something round are smoothed.
+    pub(crate) fn centre(&self, colour: [u8; 3]) -> (f64, f64) {
+        let (across, down): (Vec<usize>, Vec<usize>) = self.places(colour).unzip();
+        let middle = |all: Vec<usize>| {
+            let [least, greatest] = [all.iter().min(), all.iter().max()].map(Option::unwrap);
+            (least + greatest) as f64 / 2.0
+        };
+        (middle(across), middle(down))
+    }
+
     /// Where the pixels of a colour lie.
     pub(crate) fn cloud(&self, colour: [u8; 3]) -> Cloud {
         let places: Vec<(f64, f64)> = self

@@ -31,7 +31,17 @@ async fn show(page: &Page, id: &str) {
 /// A finger on the middle of an element.
 pub(crate) async fn tap(page: &Page, id: &str) {
     page.element(id).await;
-    show(page, id).await;
+    // A part of the page that arrives late moves those below it.
+    page.until("the middle in sight", async || {
+        show(page, id).await;
+        let script = format!(
+            "const {{ top, bottom }} = document.getElementById('{id}').getBoundingClientRect();
+            const middle = (top + bottom) / 2;
+            return middle > 0 && middle < innerHeight;"
+        );
+        page.ask(&script).await == json!(true)
+    })
+    .await;
     let area = page.element(id).await.rect().await.unwrap();
     page.fingers(id, &[vec![(0.5 * area.width, 0.5 * area.height)]])
         .await;
