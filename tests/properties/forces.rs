@@ -19,7 +19,7 @@ use crate::any_drawing::linkage::Linkage;
 /// How many linkages are compared in a quick run.
 const LINKAGES: usize = 2_000;
 
-/// Condition beyond which a pose is counted apart.
+/// Condition beyond which a pose is counted apart: of the equations, or of the direction of a slide.
 const ILL: f64 = 1e6;
 
 /// A linkage with random masses and loads.
@@ -172,7 +172,19 @@ fn forces_group_by_group_are_those_of_all_equations_at_once() {
         let values = matrix.clone().svd(false, false).singular_values;
         let condition = values.max() / values.min();
         compared += 1;
-        if condition.is_nan() || condition >= ILL {
+        let lines = mechanism
+            .joints()
+            .into_iter()
+            .filter_map(|joint| match joint {
+                Joint::Slide { line, .. } => {
+                    let [from, to] = line.map(|point| mechanism.place(&pose, point).place());
+                    Some((to - from).norm())
+                }
+                _ => None,
+            });
+        // The direction of a line through two places has this condition.
+        let line = mechanism.size() / lines.fold(f64::INFINITY, f64::min);
+        if condition.is_nan() || condition >= ILL || line >= ILL {
             ill += 1;
             continue;
         }
