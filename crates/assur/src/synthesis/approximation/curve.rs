@@ -53,10 +53,14 @@ pub(super) struct Place {
 
 /// The greatest ratio of two lengths of a linkage.
 pub(super) const RATIO: f64 = 30.0;
+/// The least sine of the transmission angle of a crank that turns fully. Nearer to a change point the linkage may leave
+/// its curve, and rounding decides on which.
+const CLEAR: f64 = 0.01;
 
 impl Curve {
     /// The curve with logarithms of l₂, l₃ and l₄, or with the logarithm of the rod and the offset over rod less crank.
-    /// None if no crank or swing is continuous, or if a ratio of lengths exceeds [`RATIO`].
+    /// None if no crank or swing is continuous, if the crank turns through a change point or near one, or if a ratio of
+    /// lengths exceeds [`RATIO`].
     pub(super) fn new(kind: Kind, unknowns: [f64; 3], w: Complex<f64>) -> Option<Self> {
         let [x, y, z] = unknowns;
         let (sizes, swing, limits) = match kind {
@@ -67,8 +71,10 @@ impl Curve {
             }
             Kind::SliderCrank => {
                 let rod = x.exp();
-                let sound = rod > 1.0 && y.abs() < 1.0;
-                sound.then_some(([rod, y * (rod - 1.0), 0.0], Swing::Full, [-1.0, 1.0]))?
+                let offset = y * (rod - 1.0);
+                let rise = (1.0 + offset.abs()) / rod;
+                let sound = y.abs() < 1.0 && (1.0 - rise) * (1.0 + rise) >= CLEAR * CLEAR;
+                sound.then_some(([rod, offset, 0.0], Swing::Full, [-1.0, 1.0]))?
             }
         };
         let lengths = match kind {
@@ -232,13 +238,18 @@ impl Curve {
     }
 }
 
-/// Motion of a crank of length 1, and the cosines of its limits. None if it swings between limits on one side of the
-/// frame: then another linkage of the same three cognates has a crank that turns fully.
+/// Motion of a crank of length 1, and the cosines of its limits. None if it turns near a change point, or if it swings
+/// between limits on one side of the frame: then another linkage of the same three cognates has a crank that turns fully.
 fn swing([l2, l3, l4]: [f64; 3]) -> Option<(Swing, [f64; 2])> {
     let cosine = |diagonal: f64| (1.0 + (l4 - diagonal) * (l4 + diagonal)) / (2.0 * l4);
     let [low, high] = [cosine(l2 + l3), cosine(l2 - l3)];
     let swing = match (low <= -1.0, high >= 1.0) {
-        (true, true) => Swing::Full,
+        (true, true) => {
+            // Y² = 4l₄²(cos φ − c₋)(c₊ − cos φ), and Y = 2l₂l₃ sin μ, where the crank lies along the frame.
+            let sine = |square: f64| l4 * square.sqrt() / (l2 * l3);
+            let folded = sine((1.0 - low) * (high - 1.0)).min(sine((-1.0 - low) * (high + 1.0)));
+            (folded >= CLEAR).then_some(Swing::Full)?
+        }
         (false, true) if low < 1.0 => Swing::AboutZero(low.acos()),
         (true, false) if high > -1.0 => Swing::AboutPi((-high).acos()),
         _ => return None,
