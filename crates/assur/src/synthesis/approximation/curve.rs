@@ -275,3 +275,22 @@ pub(super) fn cross(a: Complex<f64>, b: Complex<f64>) -> f64 {
 pub(super) fn dot(a: Complex<f64>, b: Complex<f64>) -> f64 {
     a.re * b.re + a.im * b.im
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_crank_turns_through_a_change_point_or_near_one() {
+        let curve = |kind, unknowns| Curve::new(kind, unknowns, Complex::new(0.5, 0.5));
+        let swing = |coupler: f64| {
+            let unknowns = [coupler, 1.5, 1.5].map(f64::ln);
+            curve(Kind::FourBar, unknowns).map(|curve| curve.swing)
+        };
+        // At 2 it would be a change point: 1 + 2 = 1.5 + 1.5.
+        assert_eq!([swing(1.9999), swing(1.999_999)], [None, None]);
+        assert_eq!(swing(1.99), Some(Swing::Full));
+        let turns = |share: f64| curve(Kind::SliderCrank, [3f64.ln(), share, 0.0]).is_some();
+        assert_eq!([1.0, 0.99999, 0.9].map(turns), [false, false, true]);
+    }
+}
