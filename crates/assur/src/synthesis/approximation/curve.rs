@@ -53,9 +53,9 @@ pub(super) struct Place {
 
 /// The greatest ratio of two lengths of a linkage.
 pub(super) const RATIO: f64 = 30.0;
-/// The least sine of the transmission angle of a crank that turns fully. Nearer to a change point the linkage may leave
-/// its curve, and rounding decides on which.
-const CLEAR: f64 = 0.01;
+/// The least sine of the transmission angle of a crank that turns fully. Nearer to a change point, rounding may move the
+/// linkage to its other assembly.
+const LEAST_SINE: f64 = 0.01;
 
 impl Curve {
     /// The curve with logarithms of l₂, l₃ and l₄, or with the logarithm of the rod and the offset over rod less crank.
@@ -73,7 +73,7 @@ impl Curve {
                 let rod = x.exp();
                 let offset = y * (rod - 1.0);
                 let rise = (1.0 + offset.abs()) / rod;
-                let sound = y.abs() < 1.0 && (1.0 - rise) * (1.0 + rise) >= CLEAR * CLEAR;
+                let sound = y.abs() < 1.0 && (1.0 - rise) * (1.0 + rise) >= LEAST_SINE * LEAST_SINE;
                 sound.then_some(([rod, offset, 0.0], Swing::Full, [-1.0, 1.0]))?
             }
         };
@@ -248,7 +248,7 @@ fn swing([l2, l3, l4]: [f64; 3]) -> Option<(Swing, [f64; 2])> {
             // Y² = 4l₄²(cos φ − c₋)(c₊ − cos φ), and Y = 2l₂l₃ sin μ, where the crank lies along the frame.
             let sine = |square: f64| l4 * square.sqrt() / (l2 * l3);
             let folded = sine((1.0 - low) * (high - 1.0)).min(sine((-1.0 - low) * (high + 1.0)));
-            (folded >= CLEAR).then_some(Swing::Full)?
+            (folded >= LEAST_SINE).then_some(Swing::Full)?
         }
         (false, true) if low < 1.0 => Swing::AboutZero(low.acos()),
         (true, false) if high > -1.0 => Swing::AboutPi((-high).acos()),
