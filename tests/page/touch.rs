@@ -19,21 +19,15 @@ async fn phone() -> Page {
     page
 }
 
-/// Scrolls an element to the lower end of the screen, where nothing sticks.
+/// Scrolls an element to the lower end of the screen, where nothing sticks: again if a part of the page that arrives late
+/// has moved it.
 async fn show(page: &Page, id: &str) {
-    page.ask(&format!(
-        "document.getElementById('{id}').scrollIntoView({{ block: 'end', behavior: 'instant' }})"
-    ))
-    .await;
-    page.settle().await;
-}
-
-/// A finger on the middle of an element.
-pub(crate) async fn tap(page: &Page, id: &str) {
-    page.element(id).await;
-    // A part of the page that arrives late moves those below it.
     page.until("the middle in sight", async || {
-        show(page, id).await;
+        page.ask(&format!(
+            "document.getElementById('{id}').scrollIntoView({{ block: 'end', behavior: 'instant' }})"
+        ))
+        .await;
+        page.settle().await;
         let script = format!(
             "const {{ top, bottom }} = document.getElementById('{id}').getBoundingClientRect();
             const middle = (top + bottom) / 2;
@@ -42,6 +36,12 @@ pub(crate) async fn tap(page: &Page, id: &str) {
         page.ask(&script).await == json!(true)
     })
     .await;
+}
+
+/// A finger on the middle of an element.
+pub(crate) async fn tap(page: &Page, id: &str) {
+    page.element(id).await;
+    show(page, id).await;
     let area = page.element(id).await.rect().await.unwrap();
     page.fingers(id, &[vec![(0.5 * area.width, 0.5 * area.height)]])
         .await;
