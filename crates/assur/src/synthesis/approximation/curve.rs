@@ -73,7 +73,7 @@ impl Curve {
                 let rod = x.exp();
                 let offset = y * (rod - 1.0);
                 let rise = (1.0 + offset.abs()) / rod;
-                let sound = y.abs() < 1.0 && (1.0 - rise) * (1.0 + rise) >= LEAST_SINE * LEAST_SINE;
+                let sound = (1.0 - rise) * (1.0 + rise) >= LEAST_SINE * LEAST_SINE;
                 sound.then_some(([rod, offset, 0.0], Swing::Full, [-1.0, 1.0]))?
             }
         };
@@ -246,9 +246,9 @@ fn swing([l2, l3, l4]: [f64; 3]) -> Option<(Swing, [f64; 2])> {
     let swing = match (low <= -1.0, high >= 1.0) {
         (true, true) => {
             // Y² = 4l₄²(cos φ − c₋)(c₊ − cos φ), and Y = 2l₂l₃ sin μ, where the crank lies along the frame.
-            let sine = |square: f64| l4 * square.sqrt() / (l2 * l3);
-            let folded = sine((1.0 - low) * (high - 1.0)).min(sine((-1.0 - low) * (high + 1.0)));
-            (folded >= LEAST_SINE).then_some(Swing::Full)?
+            let factors = ((1.0 - low) * (high - 1.0)).min((-1.0 - low) * (high + 1.0));
+            let is_clear = l4 * l4 * factors >= (LEAST_SINE * l2 * l3).powi(2);
+            is_clear.then_some(Swing::Full)?
         }
         (false, true) if low < 1.0 => Swing::AboutZero(low.acos()),
         (true, false) if high > -1.0 => Swing::AboutPi((-high).acos()),
