@@ -10,7 +10,7 @@ use crate::tolerance::LENGTH;
 use crate::{Dimension, Fault, Invalid, Jet, Vector};
 pub use set::{GearSet, Mate};
 
-/// Minimum and maximum number of teeth: fewer than 3 make no wheel, and no screen shows more than 1000.
+/// Minimum and maximum number of teeth: a wheel has at least 3, and a screen does not resolve more than 1000.
 pub const TEETH: (f64, f64) = (3.0, 1000.0);
 
 /// Height of a tooth above the pitch circle, in modules.
@@ -70,7 +70,7 @@ impl GearPair {
     /// # Errors
     /// All faults are returned together: numbers of teeth that are not positive integers within [`TEETH`]; a module
     /// that is not positive or out of range; values that are not finite; equal numbers of teeth in internal mesh.
-    /// Dimensions with the index of a driven wheel have index 0.
+    /// In a [`Dimension`] with an index, the driven wheel has the index 0.
     pub fn new(
         teeth: [f64; 2],
         mesh: Mesh,
@@ -229,7 +229,7 @@ mod tests {
     }
 
     /// At the pitch point the middle of a tooth meets the middle of a gap, at every driver angle. In pitches, the sum
-    /// (external mesh) or difference (internal mesh) of the phases of two wheels is a whole number and a half.
+    /// (external mesh) or difference (internal mesh) of the phases of two wheels is a whole number plus one half.
     #[test]
     fn teeth_meet_gaps() {
         for mesh in [Mesh::External, Mesh::Internal, Mesh::AsPrinted] {

@@ -3,7 +3,7 @@
 //! Conventions throughout this crate: x to the right, y up, angles counter-clockwise in radians, lengths in any one
 //! unit. The input is the coordinate of the first driver, usually the crank angle φ₁. Derivatives are with respect to
 //! the input, not to time: φ′ is the *analogue* of the velocity, φ″ of the acceleration. Angles are continuous along a
-//! motion and are not reduced to (−π, π]. Only [`dynamics`] and [`gears::train`] follow a motion over time.
+//! motion and are not reduced to (−π, π]. Only [`dynamics`], [`forces`] and [`gears::train`] follow a motion over time.
 //!
 //! The crate is pure: no screen, clock, I/O or randomness. An error names the invalid dimension ([`Invalid`]), or gives
 //! the reason why there is no pose at an input ([`Unsolved`] for a four-bar). Nothing panics or returns NaN, provided
@@ -16,7 +16,8 @@
 //! | `position` | dyads in closed form, groups by Newton's method, certified steps, all assemblies of a group |
 //! | [`circuits`], [`polygons`], [`centres`], [`curvature`] | branches over a turn; velocity and acceleration polygons; instant centres; circles of curvature |
 //! | `four_bar` ([`FourBar`]), [`gears`], [`mixer`] | four-bars in closed form; gear pairs and epicyclic trains; the mixer |
-//! | [`mobility`], [`synthesis`], [`dynamics`] | mobility and redundant constraints; four-bars from given positions, cognates, approximation of paths, linkages with a dwell; a differential with magnetic couplings under load |
+//! | [`mobility`], [`synthesis`] | mobility and redundant constraints; four-bars from given positions, cognates, linkages for given poses of a body or a given path, linkages with a dwell |
+//! | [`forces`], [`dynamics`] | reactions and motion under load; a differential with magnetic couplings under load |
 //! | `combined_method`, `relation` | equations of the source papers, evaluated as printed and as corrected |
 //! | `jet`, `geometry`, `index`, `sorting`, `numeric` | derivatives; points and vectors; typed ids; sorting; roots, linear equations, whole turns, levels of tolerance |
 //!
