@@ -277,7 +277,7 @@ mod tests {
         };
         assert!((free(&[18.0], &[-40.0]) - 140.0).abs() < 1e-9);
         assert!((free(&[18.0; 2], &[-40.0, 50.0]) + 175.0).abs() < 1e-9);
-        // A large wheel covers more of the gap, so the middle of the gap is off the bisector.
+        // The large wheel covers a greater angle than the small one: the middle of the free angle is off the bisector.
         let inner = free(&[12.0, 60.0], &[0.0, 180.0]).abs();
         assert!(inner < 80.0 && inner > 40.0, "{inner}");
         let last = free(&[18.0; 5], &SIXTY[..5]);
