@@ -20,7 +20,7 @@ impl Known {
         let product = self.place.cross(&other.place);
         let sine = product.norm();
         let off = (self.off + other.off + tolerance::EXACT) / sine;
-        // With a larger error the joined places nearly coincide, and their line or intersection is not used.
+        // If the error is larger, the two points or lines nearly coincide, and their line or intersection is not used.
         (off < tolerance::DOUBLE_ROOT).then(|| Self {
             place: product / sine,
             off,

@@ -4,7 +4,7 @@
 //! For joined links the pair determines the centre. All others follow from the theorem of Aronhold (*Grundzüge der
 //! kinematischen Geometrie*, 1872) and Kennedy (*The Mechanics of Machinery*, 1886): the three centres of any three
 //! links are on one line. Two such lines intersect in the wanted centre, so only positions are needed. In many linkages
-//! with groups of Class III and higher, no two known lines lead to a centre, which then follows only from velocities.
+//! with groups of Class III and higher, some centres are on no two known lines and follow only from velocities.
 //! See Hall, *Kinematics and Linkage Design*, ch. 4.
 //!
 //! A centre is represented by a triple (X, Y, w): it is at (X/w, Y/w), or at infinity if w = 0. Let one link move
@@ -40,7 +40,7 @@ pub enum Source {
     /// Intersection of two of Kennedy's lines. Let i and j be the two links, and k and l the links given here. The
     /// lines are `P_ik P_kj` and `P_il P_lj`, where `P_ik` is the centre of links i and k.
     Kennedy([BodyId; 2]),
-    /// From the velocities of the links: no two lines lead to the centre, or the lines nearly coincide.
+    /// From the velocities of the links, because the centre is on no two known lines, or the lines nearly coincide.
     Velocities,
 }
 
