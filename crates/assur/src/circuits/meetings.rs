@@ -7,8 +7,8 @@ use crate::motion::{DeadPoint, DeadPointKind, Motion};
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance,
-/// because a pose near a fold changes with the square root of the input.
+/// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance.
+/// Near a fold the change of the pose is proportional to the square root of the change of the input.
 const FOLD_TOLERANCE: f64 = 1e-2;
 /// Maximum distance from an unmatched end of a branch, relative to the domain's span, at which the search for the other
 /// branch starts.
@@ -17,8 +17,8 @@ const MAX_INWARD_OFFSET: f64 = 1e-4;
 #[derive(Default)]
 pub(super) struct Meetings {
     pub(super) list: Vec<Meeting>,
-    /// True if coupler and rocker of a kite can swing freely with the driver at rest, and other links depend on them; or
-    /// if any other two links can. The branches that this swing connects are then not determined.
+    /// True if two links can swing freely with the driver at rest, and it is not determined which branches this swing
+    /// connects. It is determined only for coupler and rocker of a kite on which no other link depends.
     pub(super) incomplete: bool,
     /// Dead points at which only one branch is known to end: the input, and a signed offset of the input into that
     /// branch.
@@ -188,7 +188,7 @@ pub(super) fn circuits(branches: usize, meetings: &[Meeting]) -> Vec<usize> {
 }
 
 impl Circuits {
-    /// Finds whether one branch can be reached from another, through the fewest meetings, by breadth-first search.
+    /// Finds the way from one branch to another through the fewest meetings, by breadth-first search.
     pub fn reach(&self, from: usize, to: usize) -> Reach {
         if from == to {
             return Reach::SameBranch;

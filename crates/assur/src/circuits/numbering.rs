@@ -85,16 +85,16 @@ impl Motion {
     /// Finds all assemblies at an input, in the order of their numbers: by the angle of the link `output`, from 0 to
     /// 2π.
     ///
-    /// Poses of this motion that the general search missed are added to the list. Such a pose marks the list as
-    /// incomplete, unless assemblies meet in it, because the search omits singular poses.
+    /// Poses of this motion that the general search missed are added to the list, which is then marked incomplete. The
+    /// exception is a singular pose, in which assemblies meet: the search omits such poses.
     pub fn assemblies_at(&self, input: f64, output: LinkId) -> Assemblies {
         let found = self.mechanism().assemblies_at(input, Method::Usual);
         self.numbered(found, input, output)
     }
 
     /// Draws the linkage at an input in the assembly with a given number, counted from 0. Singular poses of this
-    /// motion, in which assemblies meet, are also numbered. For the number of such a pose, the mechanism is returned as
-    /// it was drawn.
+    /// motion, in which assemblies meet, are also numbered. If the number is that of a singular pose, the mechanism is
+    /// returned as it was drawn.
     ///
     /// # Errors
     /// No assembly has this number, or the linkage cannot be drawn in it.
