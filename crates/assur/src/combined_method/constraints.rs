@@ -4,8 +4,8 @@ use super::places::{Places, Way};
 use crate::position::product;
 use crate::{Relation, Vector, perpendicular};
 
-/// Equations (1) to (5), the differences of coordinates, the letters of fig. 1, and the derivatives of the position
-/// of B.
+/// Equations (1) to (5), the differences of coordinates, the dimensions with letters in fig. 1, and the derivatives of
+/// the position of B.
 pub(super) fn relations(places: &Places) -> Vec<Relation> {
     let mut all = first_order(places);
     all.extend(second_order(places));
@@ -255,7 +255,7 @@ fn differences(places: &Places) -> Vec<Relation> {
         .collect()
 }
 
-/// The letters of fig. 1: two sides of each rigid triangle, the angle from one to the other, and the length of CD.
+/// Dimensions with letters in fig. 1: two sides of each rigid triangle, the angle between them, and the length of CD.
 fn letters(places: &Places) -> Vec<Relation> {
     let sides = [
         (["g", "t", "η_H"], places.gh(), places.f_l()),
