@@ -83,9 +83,9 @@ impl Circles {
     }
 }
 
-/// Ball's point: the intersection of the inflection circle with the line through the pole whose direction is the sum of
-/// the terms. None if the sum is only rounding error: all points of the circle then have straight paths to the third
-/// order.
+/// Ball's point: the intersection of the inflection circle with a line through the pole. The direction of the line is
+/// the sum of `terms`. None if the sum is only rounding error: the paths of all points of the circle are then straight
+/// to the third order.
 fn ball(pole: Point, diameter: Vector, terms: [Vector; 3]) -> Option<Point> {
     let along: Vector = terms.iter().sum();
     let size: f64 = terms.iter().map(Vector::norm).sum();
