@@ -15,23 +15,24 @@ pub enum Defect {
         /// The fault.
         fault: Fault,
     },
-    /// Poles cannot alternate around a wheel with an odd number of plates.
+    /// An odd number of plates on a wheel around which poles alternate.
     OddPlates(Body),
-    /// Evenly spaced satellites differ in phase: their number does not divide the sum of the periods of sun and ring.
+    /// A number of satellites that does not divide the sum of the periods of sun and ring: evenly spaced satellites
+    /// would differ in phase.
     Assembly {
         /// Number of satellites, k.
         satellites: u32,
         /// Sum of the periods of sun and ring, p₁ + p₄.
         periods: u32,
     },
-    /// The drive of the shaft is tied to the shaft itself, or to a shaft whose own drive is tied.
+    /// A drive tied to its own shaft, or to a shaft whose drive is tied, too.
     Tie {
         /// The shaft.
         shaft: Shaft,
         /// The shaft whose speed is multiplied.
         to: Shaft,
     },
-    /// The inertia of this body is too small for the torques on it: its motion would be too fast to integrate.
+    /// A body whose inertia is too small for the torques on it: its motion would be too fast to integrate.
     TooStiff(Body),
 }
 

@@ -60,7 +60,7 @@ impl Recording {
         let mut run = self.start.clone();
         run.state = self.states[from.saturating_sub(1)];
         let ticks = (time - run.time()) * f64::from(TICKS_PER_SECOND);
-        // Cannot fail: the same steps were made for the recording.
+        // The same steps were made for the recording, so they can fail only if the recording ended early.
         let gone = run.advance((ticks.max(0.0) as u32).min(APART));
         debug_assert!(gone.is_ok() || self.halt.is_some(), "{gone:?}");
         run

@@ -13,8 +13,8 @@ pub const TICKS_PER_SECOND: u32 = 1024;
 /// Duration of a tick, seconds.
 pub(super) const TICK: f64 = 1.0 / TICKS_PER_SECOND as f64;
 
-/// Maximum product of the length of a step and the fastest rate in the state. Up to this product the method has its
-/// order of accuracy.
+/// Maximum product of the length of a step and the fastest rate in the state. Up to this product the error of a step
+/// decreases with its length as the order of the method predicts.
 const STEP: f64 = 0.25;
 
 /// Maximum number of halvings of a tick.
@@ -232,7 +232,8 @@ impl State {
             return None;
         }
         let needed = (tick / STEP).max(1.0).log2().ceil() as u32;
-        // Steps are made longer with hysteresis: if step lengths alternated, the energy would not be conserved.
+        // Steps become longer only if the rate has clearly fallen: if step lengths alternated, the energy would not be
+        // conserved.
         if needed > self.halvings {
             self.halvings = needed;
         } else if needed + 1 < self.halvings {

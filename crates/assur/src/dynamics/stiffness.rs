@@ -89,7 +89,8 @@ impl Equations {
         let passing = Mesh::ALL.map(|mesh| {
             let field = self.mesh(mesh);
             let rate = field.phase(speeds);
-            // Rate of the phase at the minimum of its potential: the same in every period of a slip.
+            // Rate with which the phase passes the minimum of its potential, from the energy. It is the same in every
+            // period of a slip.
             let height = field.potential(field.folded(angles).1) / field.energy;
             (rate * rate + 2.0 * self.stiffness(mesh) * height).sqrt()
         });
