@@ -190,8 +190,8 @@ impl FourBar {
         [diagonal, at_b, at_d]
     }
 
-    /// The angles of [`Self::triangle_angles`] for a deltoid, in whose quotients l₅ = √Q cancels. Because √Q is signed,
-    /// the motion is smooth at the crank angle at which B coincides with D.
+    /// The angles of [`Self::triangle_angles`] for a deltoid, from quotients in which l₅ = √Q cancels. Because √Q is
+    /// signed, the motion is smooth at the crank angle at which B coincides with D.
     fn deltoid_angles<const N: usize>(
         &self,
         assembly: Assembly,
