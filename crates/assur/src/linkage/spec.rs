@@ -65,8 +65,8 @@ pub struct LinkSpec {
     pub centre_of_mass: Option<String>,
     /// Mass of the link; none counts as zero.
     pub mass: Option<f64>,
-    /// Moment of inertia of the link about its centre of mass, in units of mass and of length. None for that of a
-    /// uniform bar, ml²/12, or zero if the centre of mass is given.
+    /// Moment of inertia of the link about its centre of mass, in units of mass and of length. None stands for the
+    /// ml²/12 of a uniform bar or, if the centre of mass is given, for zero.
     pub inertia: Option<f64>,
 }
 

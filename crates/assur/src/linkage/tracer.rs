@@ -1,25 +1,25 @@
-//! Tracer points of a specification: points on a link that are not joints.
+//! Traced points of a specification: points on a link that join nothing.
 
 use std::collections::BTreeSet;
 
 use super::spec::{Defect, FRAME, LinkageSpec};
 use crate::Vector;
 
-/// A point carried by a link.
+/// A traced point: a point on a link that joins nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TracerSpec {
-    /// Name of the tracer, unique among points and tracers.
+    /// Name of the traced point; no other point, traced or not, has it.
     pub name: String,
-    /// Link that carries the tracer, or the frame.
+    /// Link that carries the traced point, or the frame.
     pub link: String,
-    /// Position of the tracer in the coordinates of its link: origin at the link's first point, x towards its second,
-    /// which is the direction of the link's angle. For a wheel with one point, x is along the zero direction of the
-    /// wheel. For the frame, the coordinates are those of the drawing.
+    /// Position of the traced point in the coordinates of its link. Their origin is the link's first point. The x-axis
+    /// runs to the second point, in the direction of the link's angle; for a wheel with one point, in the wheel's zero
+    /// direction. For the frame, the coordinates are those of the drawing.
     pub at: Vector,
 }
 
 impl LinkageSpec {
-    /// Adds a tracer point at (x, y) in the coordinates of a link.
+    /// Adds a traced point at (x, y) in the coordinates of a link.
     #[must_use]
     pub fn tracer(mut self, name: &str, link: &str, x: f64, y: f64) -> Self {
         self.tracers.push(TracerSpec {
@@ -31,7 +31,7 @@ impl LinkageSpec {
     }
 }
 
-/// The defects of the tracers of a specification; `sound` is true for an admissible coordinate.
+/// The defects of the traced points of a specification; `sound` is true for an admissible coordinate.
 pub(super) fn defects(spec: &LinkageSpec, sound: impl Fn(f64) -> bool) -> Vec<Defect> {
     let names = spec.points.iter().map(|point| point.name.as_str());
     let mut names: BTreeSet<&str> = names.collect();
