@@ -72,9 +72,9 @@ pub(crate) struct Found<const N: usize> {
     complex: Vec<usize>,
     /// Complex conjugate pairs of solutions, for groups and for dyads out of reach. Empty if `N` is 1.
     pub(crate) unreal: Vec<ComplexPair>,
-    /// For each pair of guides that must cross: the squared sine of the angle between them, with its derivative. If the
-    /// guides are parallel, the bodies on them are at infinity; near that input, links joined to these bodies may be
-    /// within reach over a short interval.
+    /// For each pair of guides that must cross: the squared sine of the angle between them, with its derivative. At an
+    /// input at which the guides are parallel, the bodies on them are at infinity. Near this input the links joined to
+    /// these bodies may close over a short interval.
     pub(crate) parallel: Vec<ComplexPair>,
     pub(crate) whole: bool,
 }
@@ -281,7 +281,7 @@ impl<'a, const N: usize> Search<'a, N> {
                 }
                 self.join(rest, state);
             }
-            // Groups give no complex pairs here: only the margins of dyads are quantities under square roots.
+            // A group gives no complex pair here, because its margin is not a quantity under a square root.
             Err(_) if matches!(self.layout.steps[step], Step::Group(_)) => {}
             Err(Cause::Apart { .. } | Cause::OutOfReach { .. }) if N > 1 => {
                 let negative = state.margins[step].into_iter();

@@ -71,7 +71,7 @@ impl DrivenFourBar<'_> {
         let mut found = Vec::new();
         for input in crossings.chain(swings) {
             let ahead = (input - from).rem_euclid(period);
-            // A change point at the start of the arc may lie just before it because of rounding.
+            // Because of rounding, a change point at the start of the arc may lie just before the start.
             let ahead = if ahead > period * (1.0 - tolerance::NEGLIGIBLE) {
                 0.0
             } else {
@@ -125,8 +125,8 @@ impl Layout {
         alone && self.closed_steps(&at.mounting).count() <= 1 && self.steps.iter().all(known)
     }
 
-    /// True if a wheel looks the same at any angle, or if it is at its initial angle again whenever the crank or rocker
-    /// that turns it is.
+    /// True if a wheel looks the same at any angle, or if it returns to its initial angle together with the crank or
+    /// rocker that turns it.
     fn returns(&self, wheel: BodyId, at: &Configuration) -> bool {
         let Some(link) = self.made_for[wheel].filter(|_| self.shows_its_angle(wheel)) else {
             return true;

@@ -70,7 +70,7 @@ impl Mechanism {
     }
 
     /// True if a dimension exists. Two links of one body, or a link and the frame, may share a point. A link has no
-    /// dimension at this point if the other one is the frame or a link that must keep its shape.
+    /// dimension at a point that it shares with the frame, or with a link that must keep its shape.
     fn has(&self, dimension: Dimension) -> bool {
         let spec = self.spec();
         let can_place = |link: LinkId, point: usize| {

@@ -18,8 +18,8 @@ const MISDRAWN: f64 = 0.3;
 /// Number of inputs tried on each side of a rounded input, which may be just beyond a dead point. Their distances from
 /// the rounded input are 0, 1, 3, 7, … times its rounding unit.
 const TRIES: u32 = 24;
-/// Maximum deviation, in radians, of a wheel from its drawn angle that counts as rounding. A whole turn of the driving
-/// body shifts a wheel by more, unless the wheel has tens of thousands of teeth.
+/// Maximum deviation of a wheel from its drawn angle that counts as rounding, radians. A whole turn of the driving body
+/// shifts a wheel by a greater angle, unless the wheel has tens of thousands of teeth.
 const MOUNTED: f64 = 1e-4;
 
 impl Layout {
@@ -238,7 +238,7 @@ impl Mechanism {
     }
 
     /// Specification of the linkage drawn in a given pose, with one point moved. Links that list the point take their
-    /// dimensions from the drawing; other links keep theirs. A tracer is moved on its link.
+    /// dimensions from the drawing; other links keep theirs. A traced point is moved on its link.
     pub fn redrawn(&self, pose: &Pose<1>, point: PointId, to: Point) -> LinkageSpec {
         let mut spec = self.drawn_in(pose);
         let joints = spec.points.len();

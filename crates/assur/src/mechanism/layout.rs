@@ -12,9 +12,9 @@ pub(crate) struct Layout {
     /// Link for which each body is made; None for the frame.
     pub(super) made_for: List<BodyId, LinkOrFrame>,
     pub(super) links: List<LinkId, Part>,
-    /// Points, each with its position on a body: first the points of the specification, then its tracers.
+    /// Points, each with its position on a body: first the points of the specification, then its traced points.
     pub(super) points: List<PointId, BodyPoint>,
-    /// Number of points of the specification without its tracers.
+    /// Number of points of the specification without its traced points.
     pub(super) listed: usize,
     pub(super) doubled: Vec<DoubledLink>,
     /// The structure used for solving, with passive links inside their groups.

@@ -13,7 +13,7 @@ impl Mechanism {
         self.spec.links.iter().map(|link| link.name.as_str())
     }
 
-    /// Names of the points in the order of the specification, then names of its tracers.
+    /// Names of the points in the order of the specification, then names of its traced points.
     pub fn points(&self) -> impl ExactSizeIterator<Item = &str> {
         self.point_ids().map(|point| self.point_name(point))
     }
@@ -25,7 +25,7 @@ impl Mechanism {
         self.layout.links.ids()
     }
 
-    /// The points in the order of the specification, then its tracers.
+    /// The points in the order of the specification, then its traced points.
     pub fn point_ids(
         &self,
     ) -> impl DoubleEndedIterator<Item = PointId> + ExactSizeIterator + Clone + use<> {

@@ -80,7 +80,7 @@ impl Assembled {
     }
 
     /// Assembles a specification at an input, with one setting that differs from the drawing. Each step joins its links
-    /// on the given side, or as drawn if neither sign of its root puts them on this side.
+    /// on the given side or, if neither sign of the square root in its closed form gives this side, as drawn.
     fn joined(
         before: &Layout,
         mut spec: LinkageSpec,
@@ -208,7 +208,7 @@ impl Layout {
         )
     }
 
-    /// Joins the links of each step on its given side, or as drawn if neither sign of its root puts them on this side.
+    /// Joins the links of each step on its given side or, if neither sign of the square root gives this side, as drawn.
     fn join(
         &self,
         spec: &LinkageSpec,

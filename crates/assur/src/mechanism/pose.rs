@@ -89,7 +89,7 @@ impl Mechanism {
         let body = self.layout.links[link].body;
         let joint = self.layout.bodies.local(body, point);
         let joint = joint.map(|local| BodyPoint { body, local });
-        // A tracer is not among the points of the bodies, but anchored to one body.
+        // A traced point is not among the points of the bodies, but anchored to one body.
         let own = Some(self.layout.points[point]).filter(|anchor| anchor.body == body);
         let place = pose.state.place(joint.or(own)?);
         Some((place + Complex::constant(self.layout.origin)).into())

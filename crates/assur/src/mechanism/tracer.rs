@@ -1,4 +1,4 @@
-//! Tracer points: points on a link that are not joints. When the linkage is redrawn, they keep their positions on the
+//! Traced points: points on a link that join nothing. When the linkage is redrawn, they keep their positions on the
 //! link.
 
 use crate::index::{BodyId, LinkId, List, PointId};
@@ -10,13 +10,13 @@ use crate::position::{BodyPoint, product};
 use crate::{Point, Vector};
 
 impl Mechanism {
-    /// Position of a tracer on its link, as in [`TracerSpec::at`], if the tracer is at `place` in a pose.
+    /// Position on its link, as in [`TracerSpec::at`], of a traced point that is at `place` in a pose.
     pub(super) fn on_link_of(&self, tracer: &TracerSpec, pose: &Pose<1>, place: Point) -> Vector {
         let link = self.link(&tracer.link);
         link.map_or(place.coords, |link| self.on_link(pose, link, place))
     }
 
-    /// The tracer with a given id; None for a point that is not a tracer.
+    /// The traced point with a given id; None for any other point.
     pub fn tracer(&self, point: PointId) -> Option<&TracerSpec> {
         let tracer = point.index().checked_sub(self.layout.listed)?;
         self.spec.tracers.get(tracer)
@@ -34,7 +34,7 @@ impl Mechanism {
     }
 }
 
-/// Positions of the tracers on bodies.
+/// Positions of the traced points on bodies.
 pub(super) fn anchored<'a>(
     spec: &'a Resolved<'_>,
     bodies: &'a Bodies,

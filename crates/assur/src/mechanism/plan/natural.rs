@@ -42,7 +42,7 @@ pub(in crate::mechanism) fn group(
         drawn_input: Vec::new(),
         units: Vec::new(),
         close: BTreeMap::new(),
-        // If all points of a group are drawn in one place, any size will do.
+        // If all points of a group are drawn in one place, the unit of length is arbitrary.
         size: Some(extent(drawn_points))
             .filter(|size| size.is_finite() && *size > 0.0)
             .unwrap_or(1.0),

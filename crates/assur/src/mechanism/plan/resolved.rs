@@ -24,7 +24,7 @@ pub(in crate::mechanism) struct Resolved<'a> {
     pub(in crate::mechanism) slides: List<SlideId, Slide>,
     pub(in crate::mechanism) gears: Vec<Gear>,
     pub(in crate::mechanism) drivers: Vec<Driver>,
-    /// Tracers with the links that carry them.
+    /// Traced points with the links that carry them.
     pub(in crate::mechanism) tracers: Vec<(LinkOrFrame, &'a TracerSpec)>,
     /// Link from which each body is made; other links may be fixed to it. None for the frame.
     pub(in crate::mechanism) bodies: List<BodyId, LinkOrFrame>,

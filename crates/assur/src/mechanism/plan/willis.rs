@@ -19,7 +19,7 @@ impl Equation {
         let mut equation = Self::default();
         for (body, by) in [(a, first), (b, second), (gear.carrier, -first - second)] {
             if body != BodyId::FRAME {
-                // Cannot fail: sums of a few numbers of teeth do not overflow.
+                // `add` cannot fail here: sums of a few numbers of teeth do not overflow.
                 equation.add(body, by);
             }
         }
@@ -111,8 +111,8 @@ impl Solved {
         Some(Adds::Angle)
     }
 
-    /// For each solved body, the other bodies of its equation and the ratios by which their angles are multiplied; the
-    /// sum of the products is the angle of the body.
+    /// Ratios of each solved body: the other bodies of its equation, each with the factor of its angle. The sum of the
+    /// products of factors and angles is the angle of the solved body.
     pub(in crate::mechanism) fn ratios(
         &self,
     ) -> impl Iterator<Item = (BodyId, Vec<(BodyId, f64)>)> {

@@ -38,7 +38,7 @@ impl Mechanism {
     pub(crate) fn anchor(&self, body: BodyId, point: PointId) -> Option<BodyPoint> {
         let joint = self.layout.bodies.local(body, point);
         let joint = joint.map(|local| BodyPoint { body, local });
-        // A tracer is not among the points of the bodies, but anchored to one body.
+        // A traced point is not among the points of the bodies, but anchored to one body.
         joint.or_else(|| Some(self.layout.points[point]).filter(|anchor| anchor.body == body))
     }
 

@@ -134,7 +134,7 @@ impl Mechanism {
         points.find(|point| bodies.local(other, *point).is_some())
     }
 
-    /// The tracers that a body carries.
+    /// The traced points that a body carries.
     pub(crate) fn tracers_on(&self, body: BodyId) -> impl Iterator<Item = PointId> {
         let tracers = self.layout.tracers();
         tracers.filter(move |tracer| self.layout.points[*tracer].body == body)
