@@ -16,7 +16,7 @@ const BARS: [(Link, Carrier, [&str; 4]); 3] = [
 impl Mixer {
     /// The mixer as a specification. Its links are `crank`, `coupler`, `rocker`, `wheel4` (fixed to the rocker), and
     /// `wheel5`, … (hinged to the frame). Its points are A, B, C, D (joints), C1, C2, C3 (centres of mass in the middle
-    /// of crank, coupler and rocker), and E5, … (centres of the wheels). Its tracers are P1, ….
+    /// of crank, coupler and rocker), and E5, … (centres of the wheels). Its traced points are P1, ….
     ///
     /// # Errors
     /// The reason why there is no pose to draw.
@@ -99,8 +99,8 @@ impl Mixer {
         Ok(spec.crank("crank"))
     }
 
-    /// Tracers of the specification for the traced points. In the linkage, the angle of a wheel is the angle of the
-    /// rocker times the ratio. In the mixer, the x-axis of a wheel is rotated from this angle by `mounting`.
+    /// The traced points in the coordinates of the specification. In the linkage, the angle of a wheel is the angle of
+    /// the rocker times the ratio. In the mixer, the x-axis of a wheel is rotated from this angle by `mounting`.
     fn spec_tracers(&self) -> impl Iterator<Item = TracerSpec> {
         self.tracers().iter().enumerate().map(|(k, tracer)| {
             let at = Vector::new(tracer.x, tracer.y);
