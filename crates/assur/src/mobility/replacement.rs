@@ -121,7 +121,7 @@ impl Scheme {
     }
 
     /// Changes that keep the freedoms of a pair and add others. A new direction is in general position, unless the
-    /// plane of a planar scheme fixes it; it depends on `place`, the index of the pair in the order of names.
+    /// plane of a planar scheme fixes it. This direction depends on `place`, the pair's index in the order of names.
     fn others(&self, pair: usize, place: usize) -> Vec<Change> {
         let Pair { kind, links, .. } = &self.pairs()[pair];
         let (axis, second) = (self.pairs()[pair].axis, self.pairs()[pair].second);

@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, VecDeque};
 use super::screw::{Screw, basis};
 use super::{Cut, CutError, Scheme};
 
-/// A scheme opened by cuts, with its mobility W. Its own space is the plane for a planar scheme, and otherwise space.
+/// A scheme opened by cuts, with its mobility W. *The scheme's own space* is the plane for a planar scheme, and
+/// three-dimensional space for any other.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sections {
     /// The cuts, in the order in which they were given.
@@ -223,8 +224,8 @@ impl Open {
         Some(pairs)
     }
 
-    /// Nodes of the first contour found by a search from a link. If a shortest contour of the graph passes through the
-    /// link, this contour is as short.
+    /// Nodes of the first contour found by a search from a link. If one of the shortest contours of the graph passes
+    /// through the link, the contour found is equally short.
     fn contour_at(&self, link: usize) -> Option<Vec<usize>> {
         let mut from = vec![None; self.near.len()];
         let mut queue = VecDeque::from([link]);
