@@ -250,8 +250,8 @@ impl Motion {
         &self.change_points
     }
 
-    /// True if the motion passes a pose in which the outer hinges of a dyad other than a driven four-bar coincide: its two
-    /// links could swing about them with the driver at rest.
+    /// True if the motion passes a pose in which the outer hinges of a dyad coincide: the two links of the dyad could
+    /// swing about these hinges with the driver at rest. The dyad of a driven four-bar does not count.
     pub(crate) fn passes_free_swing(&self) -> bool {
         self.knots.has_coincident_hinges()
     }

@@ -59,9 +59,9 @@ impl Motion {
         best.map(|(_, smooth)| smooth)
     }
 
-    /// Interpolates a smooth root from what is known `at` the change point, and at the distance `reach` on both sides.
-    /// Returns first the error at half this distance, then the root. The error is that of the root's square, or that of
-    /// the base if it vanishes at the change point.
+    /// Interpolates a smooth root from the series `at` the change point, and from those at the distance `reach` on both
+    /// sides. Returns first the error at half this distance, then the root. The error is that of the root's square, or
+    /// that of the base if the base vanishes at the change point.
     ///
     /// At the change point the square is zero only within rounding. Its value there is subtracted at all inputs;
     /// otherwise this error would appear in the second derivative, divided by the square of the reach.

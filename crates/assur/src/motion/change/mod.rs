@@ -1,5 +1,5 @@
 //! Change of a dimension within one assembly, in steps from the given pose to the new value. If a loop would otherwise
-//! open, the input is moved too: it gives way.
+//! open, the input is changed, too: this is called *giving way*.
 
 mod driver;
 mod path;
@@ -50,8 +50,8 @@ pub enum Refusal {
 /// Resolution to which the last possible value is found, as a fraction of the dimension's range. The value is rounded
 /// to a multiple of the smallest power of ten that is not below this resolution.
 const RESOLUTION: f64 = 2e-4;
-/// Steps by which the input gives way, relative to the span of the input. At the end of a
-/// change the input is moved back; this ends when a step fails that is not longer than the first of these.
+/// Steps by which the input gives way, relative to the span of the input. At the end of a change the input is moved
+/// back, until a step back fails that is at most as long as the first of these steps.
 const INPUT_STEPS: [f64; 4] = [1.0 / 1024.0, 1.0 / 256.0, 1.0 / 64.0, 1.0 / 34.0];
 
 impl Motion {

@@ -3,8 +3,8 @@
 use super::{INPUT_STEPS, RESOLUTION};
 use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 
-/// Maximum length of a step after whose failure the input is moved. Failed longer steps are halved. Lengths are
-/// relative to the range of the changed dimension.
+/// Maximum length of a step that, if it fails, is tried again at another input. A longer step that fails is halved.
+/// Lengths are relative to the range of the changed dimension.
 const MIN_STEP: f64 = 1.0 / 1024.0;
 /// Number of tried steps after which a failed step ends the path, unless moving the input helps.
 const MAX_TRIES: usize = 200;

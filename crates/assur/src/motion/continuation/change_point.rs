@@ -93,7 +93,7 @@ impl Continuation<'_> {
         self.mechanism.steps()[step].passes_change_point()
     }
 
-    /// What is known of a step at its change point.
+    /// Series of a step at its change point: the quantity under the root, and the base if it vanishes there.
     fn node(&self, step: StepId, state: &State<KNOWN>) -> Node {
         Node {
             square: self.mechanism.steps()[step].square(state.margins[step]),
@@ -247,9 +247,8 @@ impl Continuation<'_> {
     }
 }
 
-/// True if a vector that vanishes in the first of two poses is nearly proportional to the change of the input: at the
-/// distance `at`, in the second pose, it is what its rate in the first one gives. Only then does it have a direction where
-/// it vanishes.
+/// True if a vector has a simple zero, so that its direction has a limit there. The vector is zero in the first of two
+/// poses. In the second pose, after a change `at` of the input, it must nearly equal `at` times its rate in the first.
 fn has_simple_zero([zero, beside]: [Option<Complex<4>>; 2], at: f64) -> bool {
     zero.zip(beside).is_some_and(|(zero, beside)| {
         let rate = zero[1];
