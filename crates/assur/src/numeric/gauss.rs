@@ -131,7 +131,7 @@ pub(crate) fn step<const N: usize>(
             change = change.max((found - known).abs());
             size = size.max(found.abs());
         }
-        // `max` passes over NaN, so the values themselves are looked at.
+        // `max` ignores NaN, so every value is tested.
         if !found.iter().flatten().all(|value| value.is_finite()) {
             return None;
         }
@@ -188,7 +188,7 @@ fn whole<const N: usize>(
     step
 }
 
-/// Steps of a length that keeps the error of each within a tolerance.
+/// Integration in steps of variable length, which keeps the error of each step within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Adaptive<const N: usize> {
     past: Past<N>,
@@ -209,7 +209,8 @@ pub(crate) struct Advance<const N: usize> {
     error: [[f64; N]; 2],
 }
 
-/// Factor by which the error of two half steps is below their difference from one whole step, for a method of order 6.
+/// Ratio of the difference between one whole step and two half steps to the error of the half steps: 2⁶ − 1 for a
+/// method of order 6.
 const HALVES: f64 = 63.0;
 /// Greatest factors by which the next step is longer or shorter.
 const LONGER: f64 = 2.0;
@@ -238,7 +239,7 @@ impl<const N: usize> Adaptive<N> {
                 let factor = 0.9 * off.max(1e-9).powf(-1.0 / 7.0);
                 let next = length * factor.clamp(SHORTER, LONGER);
                 if off <= 1.0 {
-                    // A step cut short by its limit says nothing against the length before it.
+                    // If this step was shortened by its limit, the next one may still have the length planned before.
                     self.length = if length < self.length {
                         self.length.max(next)
                     } else {
