@@ -88,8 +88,8 @@ impl<const N: usize> Complex<N> {
         self.over(self.norm_squared().sqrt())
     }
 
-    /// Vector of constant length with a given value, and with a given scalar product with another vector in all orders.
-    /// If the other vector is short, derivatives of a closed form would lose digits; those computed here lose none.
+    /// Vector of constant length, from its value and from its scalar product with another vector in all orders. If the
+    /// other vector is short, the derivatives of a closed form would lose digits; those computed here lose none.
     pub(super) fn of_constant_length(value: Vector, other: Self, product: Jet<N>) -> Self {
         let along = value.normalize();
         let across = crate::perpendicular(along);

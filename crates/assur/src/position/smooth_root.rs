@@ -34,7 +34,7 @@ pub(crate) struct SmoothRoot {
     base: Option<[Differences; 2]>,
 }
 
-/// What is known of a dyad at a node.
+/// Taylor series of a dyad at a node.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     /// The quantity under the root.
@@ -50,8 +50,8 @@ impl Node {
 }
 
 impl SmoothRoot {
-    /// Taylor series of the root at the change point, from what is known there (`at`). It serves for inputs close to
-    /// the change point.
+    /// Smooth root from its Taylor series at the change point, which follows from the series `at` this point. It is
+    /// valid for inputs close to the change point.
     pub(crate) fn beside((step, sign): (StepId, f64), [input, radius]: [f64; 2], at: Node) -> Self {
         let series = |over_u: Jet<KNOWN_AT_CHANGE>| -> Differences {
             std::array::from_fn(|order| match order < KNOWN_AT_CHANGE {
@@ -69,8 +69,8 @@ impl SmoothRoot {
         }
     }
 
-    /// Hermite interpolation from what is known, with derivatives, at the change point and at `radius` before and after
-    /// it. `sign` is the sign of the root after the change point.
+    /// Smooth root by Hermite interpolation from the series at the change point and at `radius` before and after it.
+    /// `sign` is the sign of the root after the change point.
     pub(crate) fn new(
         (step, sign): (StepId, f64),
         [input, radius]: [f64; 2],

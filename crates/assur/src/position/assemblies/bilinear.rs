@@ -95,7 +95,7 @@ impl<F, W: Copy> Bilinear<F, W> {
 pub(super) type VaryingBilinear = Bilinear<Varying, [f64; 2]>;
 
 impl VaryingBilinear {
-    /// The equation, and the derivatives of its forms in an equation of the same kind.
+    /// The equation, and an equation of the same kind between the derivatives of its forms.
     fn parts(self) -> [Bilinear; 2] {
         match self {
             Self::Unit([one, rate]) => [one, rate].map(Bilinear::Unit),

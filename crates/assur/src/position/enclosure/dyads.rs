@@ -46,8 +46,8 @@ impl Enclosure {
             let places = [(arm.from, outer.acceleration), (arm.to, joint)];
             self.set(arm.body, acceleration / arm.length(), places);
         }
-        // The bound on the angular acceleration gives a poor bound on the turn of a link if the base is short or the
-        // links are nearly in line. If the latter bound is large, the triangle of links and base gives another one.
+        // The bound on the angular acceleration gives a bound on the turn of each link. That bound is poor if the base
+        // is short or the links are nearly in line. If it is large, the triangle of links and base gives another one.
         for (arm, other) in [(&arms[0], l3), (&arms[1], l2)] {
             if self.turned(from, arm.body) > LARGE_TURN {
                 let opening = angle_range([arm.length(), other], [least, most]);
