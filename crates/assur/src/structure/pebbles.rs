@@ -19,7 +19,7 @@ pub(super) struct Pebbles {
     nodes: Vec<Node>,
     /// Nodes reached by the last search, in order.
     found: Vec<usize>,
-    /// For each node, how the last search reached it.
+    /// For each node, the node from which the last search reached it.
     from: Vec<Before>,
 }
 
@@ -33,7 +33,7 @@ struct Node {
     ends: [usize; BODY],
 }
 
-/// How a search reached a node.
+/// Predecessor of a node in a search.
 #[derive(Clone, Copy, PartialEq)]
 enum Before {
     Unseen,
