@@ -55,18 +55,19 @@ pub enum PathVerdict {
 pub struct Approximation {
     /// The linkage.
     pub linkage: Tracing,
-    /// Its distances from the path.
+    /// Distances between the path and the traced curve.
     pub deviation: Deviation,
-    /// Order, circuit, branch, Grashof type and transmission; None if the places of the path are met at equal angles.
+    /// Order, circuit, branch, Grashof type and transmission; None if a four-bar is in one position at two places of
+    /// the path that are not neighbours.
     pub verdict: Option<PathVerdict>,
-    /// Angles of the crank from the x-axis at the compared places of the path, continuous.
+    /// Angles of the crank from the x-axis at the compared places of the path, without jumps by whole turns.
     pub inputs: Vec<f64>,
     fitted: Fitted,
     part: [f64; 2],
     places: Places,
 }
 
-/// From the plane of the search to that of the path.
+/// Map from the plane of the search to the plane of the path.
 #[derive(Clone, Copy, Debug)]
 struct Places {
     centre: Vector,
@@ -81,11 +82,11 @@ impl Places {
 
 /// Number of places of the path that the verdict considers.
 const JUDGED: usize = 24;
-/// Sine of the transmission angle from which a pose can be drawn without doubt about its assembly.
+/// Minimum sine of the transmission angle at which a drawn pose shows its assembly without doubt.
 const CLEAR: f64 = 0.2;
 
 impl Approximation {
-    /// None if rounding leaves no linkage.
+    /// Linkage found by a descent, in the units of the path; None if rounding makes it invalid.
     pub(super) fn new(fitted: &Fitted, deviation: Deviation, target: &Target) -> Option<Self> {
         let places = Places {
             centre: target.place(Complex::new(0.0, 0.0)).coords,
@@ -118,7 +119,7 @@ impl Approximation {
         })
     }
 
-    /// Places of the curve at equal intervals of the motion: of the whole curve, whose end is its beginning.
+    /// Places of the whole curve at equal intervals of the motion; the last place equals the first.
     pub fn curve(&self, count: usize) -> Vec<Point> {
         self.traced([0.0, std::f64::consts::TAU], count)
     }
@@ -137,7 +138,7 @@ impl Approximation {
     }
 }
 
-/// A₀, A, B, then B₀ or a place of the guide ahead of B, and P.
+/// Points A₀, A and B, then B₀ or, of a slider-crank, a point of the guide ahead of B, and P.
 fn joints(fitted: &Fitted, tau: f64) -> [Complex<f64>; 5] {
     let pose = fitted.curve.place(tau);
     let b = pose.a + pose.b;
@@ -149,8 +150,8 @@ fn joints(fitted: &Fitted, tau: f64) -> [Complex<f64>; 5] {
     [Complex::new(0.0, 0.0), pose.a, b, end, point].map(|z| fitted.laid(z))
 }
 
-/// The parameter at which the linkage is drawn: the first foot, or the one with the best transmission if the first is
-/// near a dead point.
+/// The parameter τ at which the linkage is drawn: that of the first foot or, if this is near a dead point, that of the
+/// foot with the best transmission.
 fn drawn(fitted: &Fitted) -> f64 {
     let clear = |tau: &f64| {
         let pose = fitted.curve.place(*tau);
@@ -167,8 +168,8 @@ fn drawn(fitted: &Fitted) -> f64 {
 }
 
 impl PathVerdict {
-    /// The verdict on a linkage with these bars, crank and rocker, at places of a path, and these continuous angles of
-    /// the crank. None if all places are met at one angle.
+    /// The verdict on a linkage, from the vectors of crank and rocker (`bars`) and the continuous crank angles
+    /// (`inputs`) at places of a path. None if a four-bar is in one position at two places that are not neighbours.
     pub(super) fn new(linkage: &Tracing, bars: &[[Vector; 2]], inputs: &[f64]) -> Option<Self> {
         match linkage {
             Tracing::FourBar(linkage) => {
@@ -178,7 +179,7 @@ impl PathVerdict {
                 for k in chosen {
                     let output = bars[k][1];
                     let position = Position::new(output.y.atan2(output.x), inputs[k]);
-                    // Corners of the path share a foot.
+                    // Neighbouring places at a corner of the path may have the same foot.
                     let same = |last: &Position| (last.input - position.input).abs() < 1e-9;
                     if !positions.last().is_some_and(same) {
                         positions.push(position);
@@ -222,7 +223,7 @@ impl PathVerdict {
     }
 }
 
-/// Angles of the first of each pair of bars from the x-axis, continuous.
+/// Continuous angles from the x-axis of the first bar of each pair.
 pub(super) fn crank_angles(bars: &[[Vector; 2]]) -> Vec<f64> {
     let mut angles: Vec<f64> = Vec::with_capacity(bars.len());
     for [crank, _] in bars {

@@ -13,7 +13,7 @@ use super::fitted::Fitted;
 use super::target::{Course, Target};
 use crate::{Assembly, FourBar, Grashof, Link, Offset, Point};
 
-/// Places of a closed curve from which a part is compared with an open path.
+/// Number of crank angles from which parts of a closed curve are compared with an open path.
 const STARTS: usize = 24;
 
 /// A length relative to the crank.
@@ -68,15 +68,14 @@ pub struct Cell {
     pub point: usize,
     /// The Grashof type; None if the lengths form no linkage.
     pub grashof: Option<Grashof>,
-    /// The minimum transmission angle of the motion, 0 … π/2.
+    /// The minimum transmission angle of the motion, 0 … π/2; None if the lengths form no linkage.
     pub transmission: Option<f64>,
-    /// The curve of one circuit, with the pivot of the crank at the origin and the other at (l₄, 0). Its end is its
-    /// beginning; empty if the lengths form no linkage.
+    /// The curve of one circuit, with the pivot of the crank at the origin and that of the rocker at (l₄, 0). The last
+    /// point equals the first. Empty if the lengths form no linkage.
     pub curve: Vec<Point>,
-    /// The root-mean-square distance of 24 places from a wanted path after the nearest similarity or mirror image,
-    /// relative to the root-mean-square distance of the path from its centre: 0 for equal curves, 1 for curves that
-    /// have nothing in common. An open path is compared with parts of the curve. None without a path, and for crank
-    /// angles.
+    /// Difference from a wanted path, 0 for similar curves and at most 1: the root-mean-square distance of 24 places
+    /// after the nearest similarity or mirror image, relative to that of the path from its centre. An open path is
+    /// compared with parts of the curve. None if there is no path, or if crank angles are given.
     pub unlikeness: Option<f64>,
 }
 
@@ -84,8 +83,8 @@ impl Atlas {
     /// Maximum number of cells.
     pub const MOST_CELLS: usize = 40_000;
 
-    /// The atlas over two ratios with the third given, for points of the coupler: shares of the coupler's length along
-    /// it and to its left.
+    /// The atlas over two ratios, with a given value of the third, for points of the coupler. The coordinates of a
+    /// point are along the coupler and to its left, in units of the coupler's length.
     ///
     /// # Errors
     /// The first fault found.
@@ -123,8 +122,8 @@ impl Atlas {
         self.plane() * self.points.len()
     }
 
-    /// Cells of a range of indices, so that they can be computed in parts. The first axis runs fastest, then the
-    /// second, then the points. `places` is the number of places of each curve.
+    /// Cells of a range of indices, so that the atlas can be computed in parts. The index runs along the first axis,
+    /// then along the second, then over the points. `places` is the number of places of each curve.
     pub fn cells(
         &self,
         range: std::ops::Range<usize>,
@@ -138,8 +137,8 @@ impl Atlas {
             .collect()
     }
 
-    /// The linkage of a cell in the place, size and direction in which its curve, or for an open path a part of it, is
-    /// nearest to a path. None if the lengths form no linkage that can be placed, or for crank angles.
+    /// The linkage of a cell, placed so that its curve or, for an open path, a part of its curve is nearest to a path.
+    /// None if the lengths form no linkage that can be placed, or if crank angles are given.
     pub fn nearest(&self, index: usize, target: &Target) -> Option<Approximation> {
         let pattern = Pattern::new(target);
         if index >= self.count() || pattern.timed() {
@@ -225,7 +224,7 @@ fn left([across, up]: [Axis; 2]) -> Ratio {
     all.into_iter().find(other).unwrap_or(Ratio::Frame)
 }
 
-/// The curve of a circuit. A crank that swings goes through its first arc in one assembly and back in the other.
+/// The coupler curve of a circuit. A crank that swings moves along its first arc in one assembly and back in the other.
 fn curve(linkage: &FourBar, offset: Offset, places: usize) -> Vec<Point> {
     let cycle = linkage.cycle();
     let Some([from, to]) = cycle.arcs().first().copied() else {
@@ -274,7 +273,7 @@ mod tests {
         Atlas::new(axes, 3.0, points).unwrap()
     }
 
-    /// The curve of a cell, moved, turned and doubled, is met by the linkage of that cell; so is a part of it.
+    /// The linkage of a cell is placed on its own curve, moved, rotated and doubled in size, and on a part of it.
     #[test]
     fn the_linkage_of_a_cell_is_placed_on_the_path() {
         let atlas = atlas(&[[0.5, 0.5]]);
@@ -323,7 +322,7 @@ mod tests {
         assert_eq!((cell.grashof, cell.curve.len()), (None, 0));
     }
 
-    /// The curve of a cell, turned, mirrored and enlarged, is like its cell and like no other.
+    /// The curve of a cell, rotated, mirrored and enlarged, differs least from the curve of its own cell.
     #[test]
     fn the_cell_of_a_path_is_the_likest() {
         let atlas = atlas(&[[0.5, 0.0], [0.5, 0.5], [1.0, -0.7]]);
@@ -342,7 +341,7 @@ mod tests {
         assert!(likest.0 == 22 && likest.1 < 0.05, "{likest:?}");
     }
 
-    /// Three eighths of the curve of a cell are likest to this cell, and no curve is unlike by more than 1.
+    /// Three eighths of the curve of a cell differ little from its own curve, and no unlikeness exceeds 1.
     #[test]
     fn an_open_path_is_compared_with_parts_of_curves() {
         let atlas = atlas(&[[0.5, 0.0], [0.5, 0.5], [1.0, -0.7]]);

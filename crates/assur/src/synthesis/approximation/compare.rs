@@ -1,7 +1,8 @@
-//! Comparison of a curve with the wanted path at 24 places, whatever its place, size and direction.
+//! Comparison of a curve with the wanted path at 24 places, whatever the place, size and direction of the curve.
 //!
-//! Both are centred complex vectors c and z. The similarity αc + β nearest to z leaves |z|² − |⟨c, z⟩|²/|c|². Places at
-//! equal intervals of the length correspond. On closed curves every shift is tried, in both directions.
+//! The places of curve and path are complex vectors c and z, both with the mean 0. Of all similarities αc + β the
+//! nearest to z leaves the sum of squared distances |z|² − |⟨c, z⟩|²/|c|². The places are at equal intervals along
+//! curve and path. Both directions of the curve are tried; if the curve is closed, also every first place.
 
 use std::f64::consts::TAU;
 
@@ -12,9 +13,9 @@ use super::target::{Course, Target, along, closed, lengths};
 
 /// Number of places that are compared.
 pub(super) const PLACES: usize = 24;
-/// Number of poses of a candidate.
+/// Number of poses of a candidate, between which its places are interpolated.
 const POSES: usize = 32;
-/// Parts of a closed curve that are compared with an open path.
+/// Parts of the motion along a closed curve, as fractions of a turn, that are compared with an open path.
 pub(super) const PARTS: [f64; 6] = [0.15, 0.25, 0.4, 0.6, 0.8, 1.0];
 
 /// Part of the motion that a candidate compares with the path.
@@ -22,9 +23,9 @@ pub(super) const PARTS: [f64; 6] = [0.15, 0.25, 0.4, 0.6, 0.8, 1.0];
 pub(super) enum Part {
     /// A whole turn of τ.
     Whole,
-    /// From a value of τ over a span.
+    /// First value of τ, and span.
     Arc([f64; 2]),
-    /// The given crank angles, added to or subtracted from a value of φ.
+    /// First value of φ, and sense: 1 if the given crank angles are added to this value, −1 if subtracted.
     Timed([f64; 2]),
 }
 
@@ -36,28 +37,29 @@ pub(super) struct Candidate {
     pub(super) part: Part,
 }
 
-/// How well a candidate fits, and how its places correspond to those of the path.
+/// Correspondence of a candidate's places to those of the path, and the distance that remains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Match {
-    /// The remaining part of |z|², 0 … 1.
+    /// Sum of squared distances after the nearest similarity, relative to |z|²: 0 … 1.
     pub(super) defect: f64,
     /// Share of the path's length at which the candidate begins.
     pub(super) shift: f64,
-    /// True if the candidate runs against the path.
+    /// True if the places of candidate and path correspond in opposite orders.
     pub(super) reversed: bool,
 }
 
-/// The path as it is compared.
+/// Places of the path, prepared for many comparisons.
 #[derive(Clone, Debug)]
 pub(super) struct Pattern {
     closed: bool,
-    /// Real and imaginary parts, of norm 1 together; twice, so that every shift is a slice.
+    /// Real parts of z, scaled to |z| = 1; `im` holds the imaginary parts. Both are stored twice in a row, so that
+    /// every shift is a slice.
     re: [f32; 2 * PLACES],
     im: [f32; 2 * PLACES],
     count: usize,
     /// Crank angles of the places.
     angles: Option<Vec<f64>>,
-    /// e^(iφ) of equal steps of a turn.
+    /// e^(iφ) at equal steps of a turn.
     turn: [Complex<f64>; POSES],
 }
 
@@ -104,7 +106,7 @@ impl Pattern {
         self.angles.is_some()
     }
 
-    /// Compares a candidate.
+    /// Finds the correspondence of a candidate to the path with the least distance.
     pub(super) fn compare(&self, candidate: &Candidate) -> Match {
         let mut places = [Complex::new(0.0, 0.0); PLACES];
         match (candidate.part, &self.angles) {
@@ -120,8 +122,8 @@ impl Pattern {
         self.correlated(&places, candidate.mirrored)
     }
 
-    /// The root of the least defect of a closed line or its mirror image, for an open path of a part of the line; None
-    /// with crank angles, or without a curve.
+    /// Square root of the least defect of a closed line or its mirror image; for an open path the least over parts of
+    /// the line. None if crank angles are given, or if the line has fewer than three points.
     pub(super) fn unlikeness(&self, line: &[Complex<f64>]) -> Option<f64> {
         if self.timed() || line.len() < 3 {
             return None;
@@ -178,7 +180,7 @@ impl Pattern {
         spread(&line, PLACES - 1, places);
     }
 
-    /// The best correspondence of given places of a candidate.
+    /// Correspondence with the least distance for given places of a candidate.
     fn correlated(&self, places: &[Complex<f64>; PLACES], mirrored: bool) -> Match {
         let mean = places[..self.count].iter().sum::<Complex<f64>>() / self.count as f64;
         let sign = if mirrored { -1.0 } else { 1.0 };
@@ -209,7 +211,7 @@ impl Pattern {
             }
         }
         let (product, shift, reversed) = best;
-        // Reversed, place 23 comes first.
+        // In reversed order place 23 comes first.
         let shift = if reversed { shift + PLACES - 1 } else { shift };
         let rest = 1.0 - f64::from(product) / square;
         let sound = square > 0.0 && rest.is_finite();
@@ -236,7 +238,7 @@ impl Pattern {
         squares
     }
 
-    /// |⟨c, z⟩|² for all shifts. The inner loop runs over shifts, so that it needs no order of summation.
+    /// |⟨c, z⟩|² for all shifts. The inner loop runs over shifts: their sums are independent and can be vectorized.
     fn products(&self, re: &[f32; PLACES], im: &[f32; PLACES]) -> [f32; PLACES] {
         let (mut x, mut y) = ([0.0_f32; PLACES], [0.0_f32; PLACES]);
         for k in 0..PLACES {
@@ -279,7 +281,8 @@ fn spread<const N: usize>(
 }
 
 impl Candidate {
-    /// Values of τ at which the curve corresponds to the compared places of the path, by equal lengths.
+    /// Values of τ that correspond to the compared places of the path: at the given crank angles or, without them, at
+    /// equal fractions of the lengths of curve and path.
     pub(super) fn parameters(&self, found: &Match, target: &Target) -> Vec<f64> {
         let count = target.compared.len();
         let [from, span] = match self.part {
@@ -326,7 +329,7 @@ impl Candidate {
     }
 }
 
-/// Shares of the path's length at its compared places.
+/// Length of the path up to each of its compared places, as a fraction of the whole length.
 fn shares(target: &Target) -> Vec<f64> {
     let count = target.compared.len();
     match target.course() {

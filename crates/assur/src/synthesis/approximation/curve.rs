@@ -28,7 +28,7 @@ pub(super) enum Swing {
     AboutPi(f64),
 }
 
-/// A curve of crank length 1.
+/// The coupler curve of a linkage with a crank of length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Curve {
     pub(super) kind: Kind,
@@ -36,7 +36,7 @@ pub(super) struct Curve {
     pub(super) sizes: [f64; 3],
     pub(super) w: Complex<f64>,
     pub(super) swing: Swing,
-    /// c₋ and c₊.
+    /// c₋ and c₊, the cosines of the limits of the crank.
     limits: [f64; 2],
 }
 
@@ -47,20 +47,20 @@ pub(super) struct Place {
     pub(super) a: Complex<f64>,
     /// B − A.
     pub(super) b: Complex<f64>,
-    /// dφ/dτ and the same of the coupler.
+    /// Derivatives of the angles of crank and coupler with respect to τ.
     rates: [f64; 2],
 }
 
 /// The greatest ratio of two lengths of a linkage.
 pub(super) const RATIO: f64 = 30.0;
-/// The least sine of the transmission angle of a crank that turns fully. Nearer to a change point, rounding may move the
-/// linkage to its other assembly.
+/// The least sine of the transmission angle of a crank that turns fully. Nearer to a change point, rounding may move
+/// the linkage to its other assembly.
 const LEAST_SINE: f64 = 0.01;
 
 impl Curve {
-    /// The curve with logarithms of l₂, l₃ and l₄, or with the logarithm of the rod and the offset over rod less crank.
-    /// None if no crank or swing is continuous, if the crank turns through a change point or near one, or if a ratio of
-    /// lengths exceeds [`RATIO`].
+    /// The curve for given unknowns: the logarithms of l₂, l₃ and l₄, or the logarithm of the rod and the ratio of the
+    /// offset to rod less crank. None if the crank has no motion ([`swing`]), if it turns through a change point or
+    /// near one, or if a ratio of lengths exceeds [`RATIO`].
     pub(super) fn new(kind: Kind, unknowns: [f64; 3], w: Complex<f64>) -> Option<Self> {
         let [x, y, z] = unknowns;
         let (sizes, swing, limits) = match kind {
@@ -110,7 +110,7 @@ impl Curve {
         }
     }
 
-    /// The pose at a crank e^(iφ) that turns fully.
+    /// The pose at e^(iφ) for a crank that turns fully.
     #[inline]
     pub(super) fn at_crank(&self, a: Complex<f64>) -> Place {
         match self.kind {
@@ -142,7 +142,7 @@ impl Curve {
         }
     }
 
-    /// B − A for Y.
+    /// Vector B − A of the coupler from Y, which is `area`.
     #[inline]
     fn coupler(&self, a: Complex<f64>, area: f64) -> Complex<f64> {
         let [l2, l3, l4] = self.sizes;
@@ -157,7 +157,8 @@ impl Curve {
         let [_, _, l4] = self.sizes;
         let [low, high] = self.limits;
         let (sin, cos) = (0.5 * tau).sin_cos();
-        // The factor that vanishes at the limits is 2l₄ · 2 sin(h sin²) sin(h cos²), with sines and cosines of τ/2.
+        // With s and c, the sine and cosine of τ/2, the factor of Y² that vanishes at the limits is
+        // 2l₄ · 2 sin(hs²) sin(hc²).
         let ends = over(h, sin * sin) * over(h, cos * cos);
         let other = match self.swing {
             Swing::AboutPi(_) => a.re - low,
@@ -175,7 +176,7 @@ impl Curve {
         }
     }
 
-    /// A + wb.
+    /// The coupler point A + wb.
     #[inline]
     pub(super) fn point(&self, place: &Place) -> Complex<f64> {
         place.a + self.w * place.b
@@ -187,9 +188,9 @@ impl Curve {
         times_i(place.a * crank + self.w * place.b * coupler)
     }
 
-    /// Derivatives of the point with respect to the three unknowns of [`Self::new`]. One of the three angles is held:
-    /// the crank's if it is the input, otherwise the one that leaves the equations best conditioned. The choice adds a
-    /// multiple of the tangent.
+    /// Derivatives of the point with respect to the three unknowns of [`Self::new`]. One of the three angles is held
+    /// constant: the crank's if it is the input (`driven`), otherwise the one for which the equations are best
+    /// conditioned. Another choice changes the derivatives by a multiple of the tangent.
     pub(super) fn derivatives(&self, place: &Place, driven: bool) -> [Complex<f64>; 3] {
         let (a, b, w) = (place.a, place.b, self.w);
         if self.kind == Kind::SliderCrank {
@@ -203,7 +204,7 @@ impl Curve {
         let [_, _, l4] = self.sizes;
         let c = a + b - l4;
         let (bc, ca, ab) = (cross(b, c), cross(c, a), cross(a, b));
-        // dl₂/l₂ = 1, dl₃/l₃ = 1, dl₄/l₄ = 1: a dφ₁ + b dφ₂ − c dφ₃ = −ir.
+        // If dl₂/l₂, dl₃/l₃ or dl₄/l₄ is 1, the closure is a dφ₁ + b dφ₂ − c dφ₃ = −ir with its r from `gaps`.
         let gaps = [-b, c, Complex::new(l4, 0.0)];
         std::array::from_fn(|k| {
             let gap = -times_i(gaps[k]);
@@ -223,7 +224,7 @@ impl Curve {
         })
     }
 
-    /// Places at equal steps of τ over a part of a turn.
+    /// Poses at equal steps of τ from a first value over a span.
     pub(super) fn places(&self, [from, span]: [f64; 2], count: usize) -> Vec<Place> {
         let step = span / (count.max(2) - 1) as f64;
         (0..count)
@@ -231,21 +232,22 @@ impl Curve {
             .collect()
     }
 
-    /// The longest length, with the crank of 1.
+    /// The longest of the lengths, the crank included.
     pub(super) fn longest(&self) -> f64 {
         let [x, y, z] = self.sizes;
         x.max(y.abs()).max(z).max(1.0)
     }
 }
 
-/// Motion of a crank of length 1, and the cosines of its limits. None if it turns near a change point, or if it swings
-/// between limits on one side of the frame: then another linkage of the same three cognates has a crank that turns fully.
+/// Motion of a crank of length 1, and the cosines of its limits. None if the crank turns fully but near a change point,
+/// or if it swings between limits on one side of the frame. In the latter case a cognate has a crank that turns fully.
 fn swing([l2, l3, l4]: [f64; 3]) -> Option<(Swing, [f64; 2])> {
     let cosine = |diagonal: f64| (1.0 + (l4 - diagonal) * (l4 + diagonal)) / (2.0 * l4);
     let [low, high] = [cosine(l2 + l3), cosine(l2 - l3)];
     let swing = match (low <= -1.0, high >= 1.0) {
         (true, true) => {
-            // Y² = 4l₄²(cos φ − c₋)(c₊ − cos φ), and Y = 2l₂l₃ sin μ, where the crank lies along the frame.
+            // The transmission angle μ is least where the crank lies along the frame. Y = 2l₂l₃ sin μ is compared there
+            // with Y² = 4l₄²(cos φ − c₋)(c₊ − cos φ).
             let factors = ((1.0 - low) * (high - 1.0)).min((-1.0 - low) * (high + 1.0));
             let is_clear = l4 * l4 * factors >= (LEAST_SINE * l2 * l3).powi(2);
             is_clear.then_some(Swing::Full)?
@@ -257,7 +259,7 @@ fn swing([l2, l3, l4]: [f64; 3]) -> Option<(Swing, [f64; 2])> {
     Some((swing, [low, high]))
 }
 
-/// sin(hx)/x, h at 0.
+/// sin(hx)/x, with its limit h at x = 0.
 fn over(h: f64, x: f64) -> f64 {
     if x > 1e-9 { (h * x).sin() / x } else { h }
 }
@@ -287,7 +289,7 @@ mod tests {
             let unknowns = [coupler, 1.5, 1.5].map(f64::ln);
             curve(Kind::FourBar, unknowns).map(|curve| curve.swing)
         };
-        // At 2 it would be a change point: 1 + 2 = 1.5 + 1.5.
+        // A coupler of 2 would give a change point: 1 + 2 = 1.5 + 1.5.
         assert_eq!([swing(1.9999), swing(1.999_999)], [None, None]);
         assert_eq!(swing(1.99), Some(Swing::Full));
         let turns = |share: f64| curve(Kind::SliderCrank, [3f64.ln(), share, 0.0]).is_some();

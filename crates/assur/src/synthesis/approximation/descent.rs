@@ -1,10 +1,10 @@
 //! Descent to the least distances from a path: Levenberg and Marquardt's method with exact derivatives.
 //!
 //! The unknowns are the similarity P = αc + β, the place w of the coupler point, and the three dimensions of
-//! [`Curve::new`]. Without crank angles, each place of the path has a foot on the curve. As a foot moves along the
-//! curve the distance does not change to first order, so only the part of the derivatives across the curve counts. With
-//! crank angles the angle at the first place is an unknown, too. Higher powers p of the distances tend to the least
-//! greatest distance: Σdᵖ is the sum of the squares of the residuals d^(p/2).
+//! [`Curve::new`]. If no crank angles are given, each place of the path has a foot: the nearest place of the curve. The
+//! distance does not change to first order as the foot moves along the curve, so only the components of the derivatives
+//! normal to the curve are used. If crank angles are given, the crank angle at the first place is an unknown, too. With
+//! growing p the minimum of Σdᵖ approaches that of the greatest distance; Σdᵖ is the sum of squares of d^(p/2).
 
 use super::curve::{dot, times_i};
 use super::fitted::{Fitted, UNKNOWNS, Unknowns};
@@ -15,16 +15,16 @@ use crate::tolerance;
 /// Initial damping, relative to the diagonal of the normal equations.
 const FIRST_DAMPING: f64 = 1e-2;
 
-/// A descent.
+/// Descent of a linkage to a local optimum.
 #[derive(Clone, Debug)]
 pub(super) struct Descent {
     pub(super) fitted: Fitted,
-    /// The power of the distances, and their unit.
+    /// Power p of the distances; `unit` is the unit of the distances.
     power: i32,
     unit: f64,
     value: f64,
     damping: f64,
-    /// The relative decrease of the sum in a step at which the descent ends.
+    /// Relative decrease of the sum in a step below which the descent ends.
     gain: f64,
     pub(super) over: bool,
 }
@@ -45,7 +45,7 @@ impl Descent {
         }
     }
 
-    /// At most so many steps.
+    /// The linkage after at most a given number of steps.
     pub(super) fn run(mut self, target: &Target, steps: usize) -> Fitted {
         for _ in 0..steps {
             if self.over {
@@ -84,7 +84,7 @@ impl Descent {
         self.over = true;
     }
 
-    /// JᵀJ and −Jᵀr.
+    /// Normal equations: JᵀJ and −Jᵀr with the residuals r and their Jacobian J.
     fn normal_equations(&self, target: &Target) -> ([[f64; UNKNOWNS]; UNKNOWNS], Unknowns) {
         let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
         let mut right = [0.0; UNKNOWNS];
@@ -136,7 +136,7 @@ impl Descent {
             }
         }
         for (k, row) in matrix.iter_mut().enumerate() {
-            // An unknown that moves nothing is held.
+            // An unknown that changes no residual stays constant.
             if row[k] <= f64::MIN_POSITIVE {
                 row[k] = 1.0;
             }
@@ -162,7 +162,7 @@ mod tests {
     use crate::synthesis::approximation::curve::{Curve, Kind};
     use crate::synthesis::approximation::fitted::tests::start;
 
-    /// A descent from dimensions 5 % beside those of a curve ends at the curve.
+    /// A descent that starts from dimensions with an error of 5 % ends at the exact dimensions.
     #[test]
     fn a_descent_beside_a_curve_ends_at_it() {
         let wanted = start(Kind::FourBar, [1.1, 0.9, 1.3], true);

@@ -9,9 +9,9 @@ use super::fitted::Fitted;
 use super::target::{Course, Target};
 use crate::numeric::max_abs;
 
-/// Distances between a path and the traced curve, in the unit of the path. For points they are the distances of the
-/// points from the curve, or from the places at the given crank angles. For a drawn curve they are taken both ways:
-/// from its points to the traced curve and back, along the part of the motion that traces it.
+/// Distances between a path and the traced curve, in the unit of the path. If the path consists of points, they are the
+/// distances of the points from the curve, or from its places at the given crank angles. If the path is a drawn curve,
+/// the distances of places of the traced curve from the path are included, over the part of the motion that traces it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The greatest distance.
@@ -52,7 +52,8 @@ impl Deviation {
         Self::both_ways(distances, &curve, target)
     }
 
-    /// The deviation with the distances of the path's points, and of places of the traced curve from a drawn path.
+    /// The deviation from given distances of the path's points and, if the path is a drawn curve, from the distances of
+    /// places of the traced curve.
     pub(super) fn both_ways(
         mut distances: Vec<f64>,
         curve: &[Complex<f64>],
@@ -77,7 +78,7 @@ impl Deviation {
         }
     }
 
-    /// The same in another unit.
+    /// The deviation in another unit.
     pub(super) fn times(self, unit: f64) -> Self {
         Self {
             greatest: self.greatest * unit,
@@ -106,7 +107,7 @@ impl Segment {
         }
     }
 
-    /// Square of the distance of a place.
+    /// Square of the distance of a place from the segment.
     fn square(&self, place: Complex<f64>) -> f64 {
         let arm = place - self.from;
         let share = (dot(arm, self.side) * self.inverse).clamp(0.0, 1.0);

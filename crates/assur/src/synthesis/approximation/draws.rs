@@ -1,5 +1,5 @@
-//! Candidates of the search: a sequence without chance, the multiples of irrational numbers without their integers
-//! (R. D. Richtmyer, 1951), which fills the space of the dimensions evenly.
+//! Candidates of the search, from a deterministic sequence that fills the space of the dimensions evenly: the
+//! fractional parts of multiples of irrational numbers (R. D. Richtmyer, 1951).
 
 use std::f64::consts::TAU;
 
@@ -23,14 +23,14 @@ const ROOTS: [f64; 10] = [
     5.385_164_807_134_505,
 ];
 
-/// Logarithms of the least and the greatest drawn length, relative to the first.
+/// Logarithms of the least and the greatest length drawn, relative to the crank.
 const LENGTHS: [f64; 2] = [-0.7, 2.2];
-/// The greatest distance of a drawn coupler point from the middle of the coupler, relative to the mean of coupler and
-/// crank.
+/// Greatest distance of a coupler point from the middle of the coupler, relative to the mean of the lengths of coupler
+/// and crank.
 const ARM: f64 = 2.5;
 
-/// One of so many candidates has its coupler point near the rocker's end or the slider: its curve is narrow, which few
-/// others are.
+/// Number of candidates of which one has its coupler point near the joint of coupler and rocker, or near the slider.
+/// Its curve is narrow, as few other curves are.
 const NARROW: usize = 7;
 
 /// An endless sequence of candidates.
@@ -45,15 +45,15 @@ pub(super) struct Draws {
 }
 
 impl Draws {
-    /// The sequence of a seed. `kinds` admits four-bars and slider-cranks. A crank turns fully if crank angles are
-    /// given (`timed`) and unless it may swing (`swinging`).
+    /// The sequence for a seed. `kinds` admits four-bars and slider-cranks. `swinging` admits cranks that do not turn
+    /// fully, unless crank angles are given (`timed`).
     pub(super) fn new(
         seed: u64,
         kinds: [bool; 2],
         course: Course,
         [timed, swinging]: [bool; 2],
     ) -> Self {
-        // Far along the sequence of another root for each seed.
+        // Each seed has a first place of its own, from multiples of further irrational numbers.
         let start = (seed % (1 << 20)) as f64;
         Self {
             next: ROOTS.map(|root| (0.5 + start * (root * 7.0).sqrt()).fract()),
@@ -65,7 +65,7 @@ impl Draws {
         }
     }
 
-    /// The next place of the unit cube.
+    /// The next point of the unit cube.
     fn advance(&mut self) -> [f64; 10] {
         for (next, root) in self.next.iter_mut().zip(ROOTS) {
             *next = (*next + root).fract();
@@ -75,7 +75,7 @@ impl Draws {
     }
 
     fn kind(&self) -> Kind {
-        // Four-bars have two more dimensions: three of four candidates.
+        // Three of four candidates are four-bars, because a four-bar has two dimensions more than a slider-crank.
         let slider = self.kinds[1] && (!self.kinds[0] || self.count.is_multiple_of(4));
         if slider {
             Kind::SliderCrank
@@ -138,7 +138,7 @@ impl Draws {
         *of
     }
 
-    /// The candidate of a curve; None for a crank that swings if it should turn.
+    /// The candidate of a curve; None if its crank swings, but must turn fully.
     fn moved(&self, curve: Curve, u: &[f64; 10]) -> Option<Candidate> {
         if !self.swinging && curve.swing != Swing::Full {
             return None;
@@ -159,8 +159,8 @@ impl Draws {
     }
 }
 
-/// Logarithms of l₂, l₃ and l₄ from three numbers of the unit cube, and l₂. A crank that swings on one side of the
-/// frame is exchanged with the shortest link, as in one of the cognates.
+/// Logarithms of l₂, l₃ and l₄ from three coordinates in the unit cube, then l₂. If the crank would swing on one side
+/// of the frame, it is exchanged with the shortest link, as in one of the cognates.
 fn four_bar(u: [f64; 3]) -> ([f64; 3], f64) {
     let [least, greatest] = LENGTHS;
     let [mut x, mut y, mut z] = u.map(|u| least + (greatest - least) * u);
@@ -182,7 +182,7 @@ fn four_bar(u: [f64; 3]) -> ([f64; 3], f64) {
     ([x, y, z], x.exp())
 }
 
-/// The logarithm of the rod and the share of the offset, and the rod.
+/// Logarithm of the rod, and ratio of the offset to rod less crank; then the rod.
 fn slider_crank(u: [f64; 2]) -> ([f64; 3], f64) {
     let rod = 0.02 + 2.2 * u[0];
     ([rod, 2.0 * u[1] - 1.0, 0.0], rod.exp())

@@ -9,7 +9,7 @@ use super::target::Target;
 use crate::numeric::max_abs;
 use crate::tolerance;
 
-/// α, β, w, the dimensions, the angle of the crank at the first place.
+/// Number of unknowns: two each for α, β and w, three dimensions, and the crank angle at the first place.
 pub(super) const UNKNOWNS: usize = 10;
 pub(super) type Unknowns = [f64; UNKNOWNS];
 
@@ -18,8 +18,8 @@ const REACH: f64 = 25.0;
 /// The greatest step of a foot along τ.
 const FOOT_STEP: f64 = 0.2;
 
-/// Maximum number of further steps to a foot after one that goes past it, and the part of its distance along the curve
-/// that such a step leaves.
+/// Maximum number of further steps to a foot after a step that went past it. A step counts as past the foot if it
+/// leaves more than the part `CONTRACTION` of the distance along the curve, on the other side.
 const MORE_STEPS: usize = 8;
 const CONTRACTION: f64 = 0.3;
 
@@ -32,7 +32,7 @@ pub(super) struct Fitted {
     pub(super) curve: Curve,
     /// τ at the compared places of the path, not reduced to a turn.
     pub(super) feet: Vec<f64>,
-    /// The sense in which the crank meets given angles; 0 without them.
+    /// Sense in which the crank turns through the given angles, ±1; 0 if none are given.
     sense: f64,
     /// Distances at the compared places.
     pub(super) distances: Vec<f64>,
@@ -81,7 +81,7 @@ impl Fitted {
         })
     }
 
-    /// A curve with α and β of its place in the plane of the path.
+    /// A curve placed in the plane of the path by α and β.
     pub(super) fn placed(curve: Curve, [alpha, beta]: [Complex<f64>; 2], feet: Vec<f64>) -> Self {
         let [x, y, z] = unknowns(&curve);
         let w = curve.w;
@@ -115,17 +115,17 @@ impl Fitted {
         Complex::new(self.x[2], self.x[3])
     }
 
-    /// A place of the curve of crank length 1, in the plane of the path.
+    /// Converts a place from the plane of the curve, in which the crank has length 1, to the plane of the path.
     pub(super) fn laid(&self, place: Complex<f64>) -> Complex<f64> {
         self.alpha() * mirrored(place, self.mirrored) + self.beta()
     }
 
-    /// Place of the coupler point at a parameter.
+    /// Place of the coupler point at a value of τ.
     pub(super) fn point(&self, tau: f64) -> Complex<f64> {
         self.laid(self.curve.point(&self.curve.place(tau)))
     }
 
-    /// The dimensions and the place of the coupler point; equal for equal curves of different size.
+    /// Place of the coupler point on its link, and the dimensions; equal for similar curves.
     pub(super) fn shape(&self) -> [f64; 5] {
         [4, 5, 6, 7, 8].map(|k| self.x[k])
     }
@@ -135,8 +135,8 @@ impl Fitted {
         self.point(self.x[9] + self.sense * turn)
     }
 
-    /// The foot of a place near a parameter, and its distance; the parameter itself if the steps lead away from the place.
-    /// At the end of a narrow curve a step goes past the foot; then more steps follow, by the secant.
+    /// The foot of a place near a given τ, and its distance; the given τ itself if no step reduces the distance.
+    /// At the end of a narrow curve a step may go past the foot; then more steps follow, by the secant method.
     pub(super) fn foot(&self, wanted: Complex<f64>, from: f64, steps: usize) -> (f64, f64) {
         let alpha = self.alpha();
         let approach = |tau: f64| {
@@ -168,8 +168,8 @@ impl Fitted {
         }
     }
 
-    /// Moves the feet to the nearest places of the curve near by, or to the given crank angles, and measures the
-    /// distances.
+    /// Moves each foot to the nearest place of the curve near it or, if crank angles are given, to the place at its
+    /// angle, and measures the distances.
     fn settle(&mut self, target: &Target, steps: usize) {
         let mut distances = std::mem::take(&mut self.distances);
         distances.clear();
@@ -188,7 +188,7 @@ impl Fitted {
         self.distances = distances;
     }
 
-    /// The deviation of the compared places from their feet.
+    /// The deviation from the distances of the compared places and their feet.
     pub(super) fn at_feet(&self) -> Deviation {
         Deviation::from_distances(&self.distances)
     }
@@ -216,7 +216,7 @@ impl Fitted {
         })
     }
 
-    /// Derivatives of the place at a foot by all unknowns.
+    /// Derivatives of the place at a foot with respect to all unknowns, then with respect to τ.
     pub(super) fn derivatives(
         &self,
         tau: f64,
@@ -289,7 +289,8 @@ pub(super) mod tests {
         }
     }
 
-    /// Derivatives by the dimensions against difference quotients, across the curve, for each motion of the crank.
+    /// Derivatives with respect to the dimensions agree with difference quotients, normal to the curve, for each motion
+    /// of the crank.
     #[test]
     fn derivatives_are_those_of_the_point() {
         let four = [

@@ -2,9 +2,9 @@
 //! hand, as well as possible.
 //!
 //! [`Search`] draws dimensions from an even sequence, computes the curve in closed form and compares it with the path
-//! at 24 places. Place, size and direction are removed by the nearest similarity. The best candidates descend by least
-//! squares with exact derivatives. More than nine points are met only approximately: a four-bar with its coupler point
-//! has nine dimensions.
+//! at 24 places. The nearest similarity removes the differences of place, size and direction. From the best candidates
+//! the search descends by least squares with exact derivatives. More than nine points are met only approximately: a
+//! four-bar with its coupler point has nine dimensions.
 //!
 //! | file | subject |
 //! |---|---|

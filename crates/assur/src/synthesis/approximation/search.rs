@@ -1,5 +1,6 @@
-//! The search: candidates are compared at 24 places, the best of them descend to a local optimum, and candidates near
-//! the optima follow. It runs in steps, so that the best linkage can be shown while it goes on.
+//! The search: candidates are compared with the path at 24 places, the best of them descend to local optima, and
+//! further candidates are drawn near the optima. The search runs in steps, so that the best linkage can be shown
+//! meanwhile.
 
 use super::approximation::Approximation;
 use super::compare::{Candidate, Match, Part, Pattern};
@@ -15,29 +16,29 @@ use crate::tolerance;
 /// The distance to be made small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Norm {
-    /// The root of the mean square.
+    /// The root mean square of the distances.
     Squares,
     /// The greatest distance.
     Greatest,
 }
 
-/// What is sought.
+/// Requirements on the linkage that is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted {
     /// The distance to be made small.
     pub norm: Norm,
-    /// Four-bars are admitted.
+    /// True if four-bars are admitted.
     pub four_bars: bool,
-    /// Slider-cranks are admitted.
+    /// True if slider-cranks are admitted.
     pub slider_cranks: bool,
-    /// Four-bars without a link that turns fully are admitted. They pass through dead points over their whole curve.
+    /// True if four-bars without a link that turns fully are admitted. They have dead points on their curve.
     pub swinging: bool,
     /// The seed of the sequence of candidates: an equal seed gives an equal search.
     pub seed: u64,
 }
 
 impl Default for Wanted {
-    /// Four-bars with a link that turns fully and the least greatest distance.
+    /// Four-bars with a link that turns fully, by the greatest distance.
     fn default() -> Self {
         Self {
             norm: Norm::Greatest,
@@ -56,7 +57,7 @@ pub struct Progress {
     pub candidates: usize,
     /// True if this step has found a better linkage.
     pub improved: bool,
-    /// The deviation of the best linkage.
+    /// The deviation of the best linkage; None if there is no linkage yet.
     pub deviation: Option<Deviation>,
     /// True if the path is met within rounding: no better linkage exists.
     pub exact: bool,
@@ -70,7 +71,7 @@ pub struct Search {
     pattern: Pattern,
     draws: Draws,
     candidates: usize,
-    /// The best candidates of the present batch: drawn anew, and near an optimum.
+    /// The best candidates of the present batch: first of those drawn anew, then of those drawn near an optimum.
     batch: [Vec<(Match, Candidate)>; 2],
     left: usize,
     batches: usize,
@@ -84,32 +85,33 @@ struct Optimum {
     fitted: Fitted,
     candidate: Candidate,
     deviation: Deviation,
-    /// The root mean square at the feet after the descent by least squares, which distinguishes optima.
+    /// Root mean square of the distances at the feet after the descent by least squares; it distinguishes optima.
     squares: f64,
 }
 
-/// Candidates of the first batch; the next has twice as many, up to the most.
+/// Number of candidates of the first batch. Each further batch has twice as many, up to `MOST_BATCH`.
 const FIRST_BATCH: usize = 256;
 const MOST_BATCH: usize = 4096;
-/// Candidates of a batch that descend: drawn anew, and near an optimum.
+/// Numbers of candidates of a batch that descend: of those drawn anew, and of those drawn near an optimum.
 const DESCENDING: [usize; 2] = [4, 2];
-/// Optima that are kept.
+/// Number of optima that are kept.
 const KEPT: usize = 6;
-/// Steps of a descent, and of the last one of a good optimum.
+/// Maximum number of steps of a descent; `LAST_STEPS` is that of the last descents to a good optimum.
 const STEPS: usize = 25;
 const LAST_STEPS: usize = 60;
-/// The relative decrease of the sum in a step at which a descent ends: of any candidate, and of a good one.
+/// Relative decrease of the sum in a step below which the descent of a candidate ends; `SETTLED` is that for good ones.
 const SCREENED: f64 = 1e-2;
 const SETTLED: f64 = tolerance::TRIPLE_ROOT;
-/// An optimum by least squares may be so many times worse than the worst one kept: the last descent makes it better.
+/// Maximum ratio of the distance at a new optimum to that at the worst one kept, before the last descents. They may
+/// still reduce the distance.
 const HOPE: f64 = 1.5;
-/// Relative difference of the root mean squares of two descents to the same optimum.
+/// Relative difference of root mean squares up to which two descents count as ending at the same optimum.
 const SAME: f64 = 1e-3;
 /// Deviation, relative to the size of the path, below which no better linkage is sought.
 const EXACT: f64 = 1e-11;
 
 impl Search {
-    /// A search for a path. A straight line or a circle is met at once.
+    /// A search for a path. If the path is a straight line or a circle, the linkage is known without a search.
     pub fn new(target: Target, wanted: Wanted) -> Self {
         let kinds = match [wanted.four_bars, wanted.slider_cranks] {
             [false, false] => [true, false],
@@ -142,8 +144,8 @@ impl Search {
         &self.target
     }
 
-    /// Compares so many candidates, and lets the best of each batch descend. The result depends only on the number of
-    /// candidates in all, not on how they are divided into steps.
+    /// Compares a number of candidates, and lets the best of each batch descend. The result depends only on the total
+    /// number of candidates, not on their division into steps.
     pub fn step(&mut self, candidates: usize) -> Progress {
         let before = self.best_value();
         let mut left = candidates;
@@ -186,7 +188,7 @@ impl Search {
         Approximation::new(&best.fitted, best.deviation, &self.target)
     }
 
-    /// The best linkages found so far, at most six, each another local optimum.
+    /// The best linkages found so far, at most six; each is a local optimum of its own.
     pub fn found(&self) -> Vec<Approximation> {
         let optima = self.optima.iter();
         let found =
@@ -210,7 +212,8 @@ impl Search {
         best.map_or(f64::INFINITY, |best| self.rank(&best.deviation))
     }
 
-    /// Compares a candidate, the one with this number from the end of the batch: every other is near an optimum.
+    /// Draws a candidate and compares it; `number` is its place counted from the end of the batch. If there are optima,
+    /// every second candidate is drawn near one of them.
     fn compare(&mut self, number: usize) {
         let near = number % 2 == 1 && !self.optima.is_empty();
         let candidate = if near {
@@ -302,7 +305,7 @@ impl Search {
         self.optima.truncate(KEPT);
     }
 
-    /// The candidate from which others near an optimum are drawn.
+    /// The candidate of an optimum, near which others are drawn.
     fn candidate_of(&self, fitted: &Fitted, candidate: Candidate) -> Candidate {
         let part = match candidate.part {
             Part::Whole => Part::Whole,

@@ -30,25 +30,25 @@ pub enum Special {
     },
 }
 
-/// The same in units of the path's size, from its centre.
+/// A [`Special`] path with lengths in units of the path's size, measured from its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Scaled {
     Line([Complex<f64>; 2]),
     Circle(Complex<f64>, f64),
 }
 
-/// Lengths of the rod of the slider-crank, and of coupler, rocker and frame of the four-bar, in cranks.
+/// Length of the rod of the slider-crank, relative to the crank; `BARS` are coupler, rocker and frame of the four-bar.
 const ROD: f64 = 5.0;
 const BARS: [f64; 3] = [3.0, 3.0, 3.5];
-/// The longest side of a polyline that counts as a circle, in radii: 2 sin 15°, of the regular polygon with 12 sides,
-/// and a little more for rounding.
+/// Maximum side of a polyline that counts as a circle, in radii: 2 sin 15°, the side of a regular polygon with 12
+/// sides, and a little more for rounding.
 const SIDE: f64 = 0.5177;
 /// The greatest radius of a crank, in sizes of the path. A flatter arc is approximated.
 const GREATEST_RADIUS: f64 = 25.0;
 
 impl Scaled {
-    /// The line or circle of places whose bounding box has the diagonal 1. `longest` is the longest side of the
-    /// polyline through them, or 0 if the path between them is free: a square is no circle.
+    /// The line or circle on which places lie; their bounding box has the diagonal 1. `longest` is the longest side of
+    /// the polyline through the places, so that a square is no circle. It is 0 if the path between the places is free.
     pub(super) fn of(places: &[Complex<f64>], longest: f64) -> Option<Self> {
         let round = |special: &Self| match special {
             Self::Circle(_, radius) => longest <= SIDE * radius,
@@ -57,7 +57,7 @@ impl Scaled {
         line(places).or_else(|| circle(places).filter(round))
     }
 
-    /// The linkage that traces the path exactly; None if its kind is not wanted.
+    /// The linkage that traces the path exactly. None if its kind is not wanted, or if the circle is too large.
     pub(super) fn linkage(self, target: &Target, wanted: &Wanted) -> Option<Approximation> {
         let one = Complex::new(1.0, 0.0);
         let slider = |w: Complex<f64>| Curve::new(Kind::SliderCrank, [ROD.ln(), 0.0, 0.0], w);
@@ -89,7 +89,7 @@ impl Scaled {
             feet
         };
         let fitted = Fitted::placed(curve, [alpha, beta], feet(&target.compared));
-        // Places along the sides of a polygon are beside the circle through its corners.
+        // Only the corners of a polygon are on the circle, not the places along its sides.
         let corners = feet(&target.outline);
         let distances: Vec<f64> = (corners.iter().zip(&target.outline))
             .map(|(tau, corner)| (fitted.point(*tau) - corner).norm())
@@ -97,7 +97,7 @@ impl Scaled {
         Approximation::new(&fitted, Deviation::from_distances(&distances), target)
     }
 
-    /// The crank angle at a place relative to the linkage with a crank of length 1.
+    /// Crank angle at a place in the coordinates of the linkage with a crank of length 1.
     fn angle(self, place: Complex<f64>) -> f64 {
         match self {
             // The law of cosines in the triangle of crank and rod.
@@ -109,7 +109,7 @@ impl Scaled {
         }
     }
 
-    /// The same in the units of the path.
+    /// The line or circle in the units of the path.
     pub(super) fn placed(self, target: &Target) -> Special {
         match self {
             Self::Line(ends) => Special::Line {
@@ -136,7 +136,7 @@ fn line(places: &[Complex<f64>]) -> Option<Scaled> {
     straight.then_some(Scaled::Line([other, end]))
 }
 
-/// The circle by least squares: |p|² = 2 p · m + r² − |m|². Then every place is compared with it.
+/// The circle with centre m and radius r by least squares: |p|² = 2 p · m + r² − |m|². None if a place p is not on it.
 fn circle(places: &[Complex<f64>]) -> Option<Scaled> {
     let rows: Vec<([f64; 3], f64)> = (places.iter())
         .map(|p| ([2.0 * p.re, 2.0 * p.im, 1.0], p.norm_sqr()))
@@ -178,7 +178,7 @@ mod tests {
         assert_eq!(Scaled::of(&places, 0.0), None);
     }
 
-    /// The corners of a square are on a circle, the square is not. A polygon of 12 sides is a circle drawn by hand.
+    /// The corners of a square are on a circle, but a drawn square is no circle. A drawn polygon of 12 sides is one.
     #[test]
     fn a_drawn_square_is_no_circle() {
         let polygon = |count: u32, course| {
@@ -194,7 +194,7 @@ mod tests {
         assert!(is_unit(polygon(12, Course::Closed)));
     }
 
-    /// Ten times as large and 100 away, also a million times.
+    /// Paths ten times as large and 100 away from the origin, and these a million times as large.
     #[test]
     fn lines_and_circles_are_traced_exactly() {
         for size in [10.0, 1e7] {

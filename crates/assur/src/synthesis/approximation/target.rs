@@ -39,11 +39,11 @@ pub enum TargetError {
     AnglesOfCurve,
 }
 
-/// The number of points of a path that a descent compares.
+/// Maximum number of places of a path that a descent compares.
 pub(super) const COMPARED: usize = 64;
 
-/// The greatest distance of a place of a later lap from that of the first, in units of the size: that of two turns of a
-/// motion.
+/// Maximum distance, in units of the size, of a place of a later lap from the same place of the first lap. Two turns of
+/// a computed motion differ by less.
 const REPEATED: f64 = 1e-6;
 
 /// A path that a point of a linkage is to trace. It is always valid, because only [`Target::new`] makes one.
@@ -51,18 +51,18 @@ const REPEATED: f64 = 1e-6;
 pub struct Target {
     points: Vec<Point>,
     course: Course,
-    /// Centre of the bounding box, and its diagonal.
+    /// Centre of the bounding box of the points; `size` is its diagonal.
     centre: Point,
     size: f64,
     pub(super) special: Option<Scaled>,
-    /// The points in units of the size, from the centre; equal neighbours once unless angles are given, and one lap of a
-    /// closed path that runs round several times.
+    /// The points in units of the size, measured from the centre. If no crank angles are given, neighbouring points
+    /// that are equal are listed once; of a closed path that repeats itself, only the first lap is listed.
     pub(super) outline: Vec<Complex<f64>>,
     /// At most [`COMPARED`] places of the path, in the same units.
     pub(super) compared: Vec<Complex<f64>>,
-    /// Crank angles of these places from the first.
+    /// Crank angles at the compared places, measured from that at the first place.
     pub(super) angles: Option<Vec<f64>>,
-    /// Crank angles of all points from the first.
+    /// Crank angles at all points, measured from that at the first point.
     pub(super) turns: Option<Vec<f64>>,
 }
 
@@ -173,7 +173,7 @@ impl Target {
         self.special.map(|special| special.placed(self))
     }
 
-    /// A place in the units of the points.
+    /// Converts a place in units of the size to the coordinates of the points.
     pub(super) fn place(&self, scaled: Complex<f64>) -> Point {
         Point::new(
             self.centre.x + scaled.re * self.size,
@@ -181,12 +181,12 @@ impl Target {
         )
     }
 
-    /// A place of the plane in units of the size, from the centre.
+    /// Converts a point to units of the size, measured from the centre.
     pub(super) fn scaled(&self, at: Point) -> Complex<f64> {
         Complex::new(at.x - self.centre.x, at.y - self.centre.y) / self.size
     }
 
-    /// Segments of the outline, with the closing one.
+    /// Segments of the outline; those of a closed path include the segment from the last point to the first.
     pub(super) fn segments(&self) -> impl Iterator<Item = [Complex<f64>; 2]> + '_ {
         let open = self.outline.windows(2).map(|pair| [pair[0], pair[1]]);
         let closing = match (self.course, self.outline.as_slice()) {
@@ -208,14 +208,14 @@ fn distinct(points: &[Point], within: f64) -> usize {
     found.len()
 }
 
-/// A polyline with its first point at the end again.
+/// A polyline with its first point added at the end.
 pub(super) fn closed(line: &[Complex<f64>]) -> Vec<Complex<f64>> {
     let mut line = line.to_vec();
     line.extend(line.first().copied());
     line
 }
 
-/// Number of points of one lap of a closed line that runs round once or several times.
+/// Number of points of one lap of a closed line, which may consist of several equal laps.
 fn lap(line: &[Complex<f64>]) -> usize {
     let count = line.len();
     let repeats = |lap: &usize| {
@@ -303,7 +303,7 @@ mod tests {
         assert_eq!(error, Some(TargetError::AnglesOfCurve));
     }
 
-    /// An ellipse that is run round twice is compared as one; a curve of two different loops is not.
+    /// An ellipse drawn twice is compared as one lap; a curve of two different loops is not.
     #[test]
     fn laps_are_compared_once() {
         let path = |of: fn(f64) -> [f64; 2]| {

@@ -14,18 +14,18 @@ use crate::sorting::extremes;
 use crate::tolerance;
 use crate::{Point, Vector};
 
-/// How a linkage traces a path.
+/// Comparison of a given linkage with a path.
 #[derive(Clone, Debug)]
 pub struct Traced {
     /// Inputs of the motion at which the traced point is nearest to the points of the path or, with crank angles, at
-    /// which the crank is at these angles. None for a point that is nearest to the curve of the other assembly, which the
-    /// motion does not reach.
+    /// which the crank is at these angles. None for a point that is nearest to the curve of the other assembly, which
+    /// the motion does not reach.
     pub inputs: Vec<Option<f64>>,
     /// Distances of the points of the path from the traced curve at these places, in the unit of the path.
     pub distances: Vec<f64>,
     /// Distances between path and curve.
     pub deviation: Deviation,
-    /// Order, circuit, branch, Grashof type and transmission; None if the points are met at equal angles.
+    /// Order, circuit, branch, Grashof type and transmission; None if two points are met in one position.
     pub verdict: Option<PathVerdict>,
 }
 
@@ -38,31 +38,32 @@ struct Foot {
     distance: f64,
 }
 
-/// Samples of a turn of the crank as the angle at the first point, and steps from the best one.
+/// Number of crank angles tried for the first point; `START_STEPS` is the number of steps from the best of them.
 const STARTS: usize = 120;
 const START_STEPS: usize = 30;
-/// Samples of a turn of the motion.
+/// Number of samples of a turn of the motion.
 const SAMPLES: usize = 360;
 /// Maximum number of samples of a motion.
 const MOST: usize = 1440;
-/// Steps from a sample to a foot.
+/// Maximum number of steps from a sample to a foot.
 const STEPS: usize = 8;
-/// A step, as a part of the distance of two samples, at which a foot is found.
+/// Length of a step at which a foot counts as found, relative to the interval between samples.
 const SETTLED: f64 = 1e-9;
-/// Sections of the golden section: they reach the digits of the input.
+/// Number of golden sections: enough for all digits of the input.
 const SECTIONS: usize = 70;
 const GOLDEN: f64 = 1.618_033_988_749_895;
-/// Distance, in units of the size, up to which a point is on a curve.
+/// Maximum distance, in units of the size, at which a point counts as on a curve.
 const MET: f64 = 1e-7;
-/// Distances that differ by less, in units of the size, are equal: the curve meets itself there.
+/// Difference below which two distances count as equal, in units of the size, as where the curve crosses itself.
 const EQUAL: f64 = tolerance::COINCIDENT;
 
 impl Traced {
     /// A moving linkage beside a path. The motion must be that of [`Tracing::spec`].
     ///
-    /// The motion of a four-bar stays in one assembly. If it ends at dead points, the curve of the other assembly belongs
-    /// to the same circuit and counts; else it counts only for points that lie on it and not on the traced curve. None if
-    /// the motion has no place, or if crank angles are given and the crank does not drive it through a full turn.
+    /// The motion of a four-bar stays in one assembly. If it ends at dead points, the curve of the other assembly
+    /// belongs to the same circuit and is compared, too; otherwise only with points that lie on it and not on the
+    /// traced curve. None if the motion has no pose, or if crank angles are given and the input is no crank that turns
+    /// fully.
     pub fn new(linkage: &Tracing, motion: &Motion, target: &Target) -> Option<Self> {
         let shown = Curve::new(motion, target)?;
         let reflected = match linkage {
@@ -169,8 +170,8 @@ impl<'a> Curve<'a> {
         Some(self.target.scaled(at))
     }
 
-    /// Half of the derivative of the squared distance from a place with respect to the input, and the squared rate of the
-    /// traced point.
+    /// Half of the derivative of the squared distance from a place with respect to the input, and the squared rate of
+    /// the traced point.
     fn approach(&self, input: f64, wanted: Complex<f64>) -> Option<(f64, f64)> {
         let pose = self.motion.pose::<2>(input).ok()?;
         let here = self.motion.mechanism().place(&pose, self.point);
@@ -190,8 +191,8 @@ impl<'a> Curve<'a> {
         Some(feet)
     }
 
-    /// The places at given turns of the crank from the first point, in the sense and from the angle for which the sum of
-    /// the squared distances is least.
+    /// Inputs and distances at given turns of the crank, measured from the first point. The angle at the first point
+    /// and the sense of rotation are those with the least sum of squared distances.
     fn timed(&self, linkage: &Tracing, turns: &[f64]) -> Option<Vec<(f64, f64)>> {
         let [start, end] = self.motion.cycle().axis();
         let angle = |input: f64| bars(linkage, self.motion, input).map(|[crank, _]| crank);
@@ -238,8 +239,8 @@ impl<'a> Curve<'a> {
         places.collect()
     }
 
-    /// The input at which the curve is nearest to a place, and the distance. Of equally near places of points of a
-    /// path it is the one nearest to the input before.
+    /// The input at which the curve is nearest to a place, and the distance. Of several inputs with equal distances the
+    /// one nearest to `near` is taken, the input of the point before.
     fn foot(&self, wanted: Complex<f64>, near: Option<f64>) -> Option<(f64, f64)> {
         let mut feet: Vec<(f64, f64)> = Vec::new();
         let mut least = f64::INFINITY;
@@ -249,7 +250,7 @@ impl<'a> Curve<'a> {
             for k in 0..=last {
                 let here = off(k);
                 let is_least = (k == 0 || here <= off(k - 1)) && (k == last || here <= off(k + 1));
-                // Farther minima are no candidates unless the curve passes between two samples.
+                // A farther minimum is a candidate only if the curve may come nearer between two samples.
                 let side = (piece[k.min(last - 1) + 1].1 - piece[k.min(last - 1)].1).norm();
                 if is_least && here <= least + 2.0 * side {
                     least = least.min(here);
@@ -299,7 +300,7 @@ impl<'a> Curve<'a> {
         self.by_golden_section(wanted, [low, high], best)
     }
 
-    /// The foot by the golden section. Next to a dead point the point moves too quickly for the steps.
+    /// The foot by golden sections, if the steps fail: next to a dead point the traced point moves too fast for them.
     fn by_golden_section(
         &self,
         wanted: Complex<f64>,
@@ -338,7 +339,7 @@ impl<'a> Curve<'a> {
         best
     }
 
-    /// Places of the curve along the part of the motion from the first foot to the last.
+    /// Places of the curve along the part of the motion with all feet; for a closed path, along the whole motion.
     fn between(&self, inputs: &[f64], course: Course) -> Vec<Complex<f64>> {
         if inputs.is_empty() && course != Course::Closed {
             return Vec::new();
@@ -376,7 +377,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// Crank and rocker at an input; the rocker of a slider-crank is the direction of its guide.
+/// Vectors of crank and rocker at an input; for a slider-crank the guide's direction takes the place of the rocker.
 fn bars(linkage: &Tracing, motion: &Motion, input: f64) -> Option<[Vector; 2]> {
     let pose: Pose<1> = motion.pose(input).ok()?;
     let mechanism = motion.mechanism();

@@ -64,7 +64,7 @@ fn the_curve_of_a_four_bar_is_found_again() {
 fn points_with_crank_angles_are_met_exactly() {
     let angles: Vec<f64> = (0..12).map(|k| 0.3 + 0.35 * f64::from(k)).collect();
     let points = curve(angles.iter().copied());
-    // The differences count, and the direction is free.
+    // Only the differences of crank angles matter, and the crank may turn in either direction.
     let given: Vec<f64> = angles.iter().map(|angle| 5.0 - angle).collect();
     let target = Target::new(&points, Course::Points, Some(&given)).unwrap();
     let wanted = Wanted {

@@ -90,7 +90,7 @@ fn points_of_the_other_assembly_are_not_reached() {
     }
 }
 
-/// Points at given turns of the crank, forwards and backwards, from an angle that is not given.
+/// Points at given turns of the crank, forwards and backwards; the angle at the first point is not given.
 #[test]
 fn crank_angles_are_met_in_either_sense() {
     let (linkage, motion) = four_bar();
@@ -103,7 +103,7 @@ fn crank_angles_are_met_in_either_sense() {
         let [first, second] = [0, 1].map(|k| traced.inputs[k].unwrap());
         let step = nearest_to(second - first, 0.0);
         assert!((step - sense * 0.4).abs() < 1e-9, "{step}");
-        // Other turns are not met, though the points are on the curve.
+        // The points are on the curve, but not at turns that differ from the given ones by a tenth.
         let others = turns.map(|turn| 1.1 * turn);
         let target = Target::new(&points, Course::Points, Some(&others)).unwrap();
         let traced = Traced::new(&linkage, &motion, &target).unwrap();
@@ -111,7 +111,7 @@ fn crank_angles_are_met_in_either_sense() {
     }
 }
 
-/// A closed polyline of the curve itself, and the same moved by a tenth.
+/// A closed polyline along the curve itself, and the same polyline moved by a tenth.
 #[test]
 fn a_drawn_curve_is_compared_both_ways() {
     let (linkage, motion) = four_bar();
@@ -127,7 +127,7 @@ fn a_drawn_curve_is_compared_both_ways() {
     }
 }
 
-/// Half of the curve: the other half does not count.
+/// An open path along half of the curve: the other half of the curve is not compared.
 #[test]
 fn only_the_traced_part_counts() {
     let (linkage, motion) = four_bar();
