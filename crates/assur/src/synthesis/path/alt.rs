@@ -1,13 +1,13 @@
 //! Alt's equations: a four-bar through nine points, in isotropic coordinates.
 //!
-//! The first point is the origin; δⱼ is the displacement of the coupler point to point j. With A the moving hinge of a
-//! dyad in the first position, x = A and a the fixed pivot. The coupler turns by θⱼ; with γ = e^(iθ) − 1 and γ̄ its
-//! conjugate, the length |x − a| is kept if
+//! The origin is one of the points, the base (see `task`); δⱼ is the displacement of the coupler point from the base to
+//! point j. For a dyad, x is the place of its moving hinge while the coupler point is at the base, and a is its fixed
+//! pivot. The coupler turns through θⱼ. With γ = e^(iθ) − 1 and its conjugate γ̄, the length |x − a| is constant if
 //!
 //! u γ + v γ̄ + w = 0,  u = x(δ̄ − ā),  v = x̄(δ − a),  w = δ(x̄ − ā) + δ̄(x − a) + δδ̄.
 //!
-//! The same holds for the other dyad (y, b). Two linear equations give γ = G/D and γ̄ = H/D, and γ + γ̄ + γγ̄ = 0 leaves
-//! one equation for each displacement (Wampler, Morgan, Sommese 1992, J. Mech. Des. 114, eq. 10–15):
+//! The same holds for the other dyad (y, b). Two linear equations give γ = G/D and γ̄ = H/D, and γ + γ̄ + γγ̄ = 0
+//! leaves one equation for each displacement (Wampler, Morgan, Sommese 1992, J. Mech. Des. 114, eq. 10–15):
 //!
 //! F = D(G + H) + GH,  D = u₁v₂ − u₂v₁,  G = v₁w₂ − v₂w₁,  H = w₁u₂ − w₂u₁.
 //!
@@ -17,8 +17,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use super::C;
 
-/// Displacements from the first point to the others, and their conjugates. The two are independent if the displacements
-/// are complex parameters, as on the way of a homotopy.
+/// Displacements from the base to the other points, and their conjugates. During a homotopy the displacements are
+/// complex parameters, and their "conjugates" are independent of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Displacements<N = C> {
     pub(super) forward: [N; 8],
@@ -37,7 +37,7 @@ impl<N: Copy> Displacements<N> {
     }
 }
 
-/// What the equations are evaluated with: complex numbers, or discs that enclose them.
+/// Numbers with which the equations are evaluated: complex numbers, or discs that enclose them.
 pub(super) trait Number:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
@@ -62,7 +62,7 @@ impl<N: Number> Terms<N> {
         Self {
             u: x * reach[1],
             v: x_bar * reach[0],
-            // δδ̄ belongs to the second product.
+            // The term δδ̄ is included in the second product.
             w: delta * (x_bar - a_bar) + bar * (x + reach[0]),
             reach,
         }
@@ -99,7 +99,7 @@ pub(super) fn dyad<N: Copy>(at: &Dyads<N>, k: usize) -> [N; 4] {
     [at[2 * k], at[2 * k + 1], at[2 * k + 4], at[2 * k + 5]]
 }
 
-/// [`residuals`], with their Jacobian.
+/// Residuals of the eight equations, as by [`residuals`], with their Jacobian.
 pub(super) fn evaluate<N: Number>(
     at: &Dyads<N>,
     displacements: &Displacements<N>,
@@ -142,9 +142,8 @@ mod tests {
     use super::*;
     use crate::synthesis::path::{ONE, ZERO};
 
-    /// The crank 1 at the origin's left: x = 1 + i turns about a = i, and y = 2 about b = 3. At a displacement of the
-    /// coupler point by δ with a turn of γ = e^(iθ) − 1 both hinges are at x + xγ + δ and y + yγ + δ, so the equations
-    /// hold if δ keeps both lengths. For δ = 0 every term vanishes.
+    /// A crank of length 1 from a = i to x = 1 + i, and another from b = 3 to y = 2. If the displacement δ of the
+    /// coupler point is 0, every term of the equations vanishes.
     #[test]
     fn no_displacement_is_always_met() {
         let at = [C::new(1.0, 1.0), C::new(0.0, 1.0), ONE * 2.0, ONE * 3.0];
@@ -159,8 +158,8 @@ mod tests {
         assert_eq!(jacobian, [[ZERO; 8]; 8]);
     }
 
-    /// A parallelogram, cranks 1 about 0 and 2, hinges at 0 + i and 2 + i relative to a point at their first place
-    /// (0, 0): its coupler does not turn, and the point moves on a circle of radius 1 with the centre −i.
+    /// A parallelogram with cranks of length 1 about 0 and 2, and hinges at i and 2 + i while the coupler point is at
+    /// 0. The coupler does not turn, and the point moves on a circle of radius 1 about −i.
     #[test]
     fn a_parallelogram_moves_its_point_on_a_circle() {
         let i = C::new(0.0, 1.0);
@@ -174,7 +173,7 @@ mod tests {
         }
     }
 
-    /// The Jacobian is that of the residuals: their change along a line agrees with it to the second order.
+    /// The change of the residuals along a line differs from that by the Jacobian only in the second order.
     #[test]
     fn the_jacobian_gives_the_change_of_the_residuals() {
         let at: Dyads = std::array::from_fn(|k| C::new((k as f64).sin(), (2.0 * k as f64).cos()));

@@ -1,4 +1,5 @@
-//! Certificates: a proof by Krawczyk's method, with all rounding enclosed, that a solution exists near the computed one.
+//! Certificates: a proof by Krawczyk's method, with all rounding enclosed, that a solution exists near the computed
+//! one.
 //!
 //! With Y near the inverse of the Jacobian J, and discs B about the computed dyads z, the map z − Y F(z) takes B into
 //! itself and contracts it if |Y F(z)| + |I − Y J(B)| r < r for the radii r. Then there is exactly one solution in B
@@ -13,27 +14,29 @@ use super::{C, ONE, ZERO};
 
 /// Radius with which the search for a certificate begins, relative to the coordinates.
 const WIDEST: f64 = 1e-4;
-/// Trials of a radius. The second is from the contraction found by the first; others help near singular solutions.
+/// Maximum number of radii tried. Each radius follows from the contraction found with the one before. Two suffice
+/// except near singular solutions.
 const TRIALS: usize = 6;
-/// Corrections of the computed dyads. Each gains as many digits as doubles keep in the inverse, seven at least.
+/// Number of Newton corrections of the computed dyads. Each adds as many correct digits as the inverse has in double
+/// precision: at least seven.
 const CORRECTIONS: usize = 4;
-/// Relative error of rounding to doubles, of both parts.
+/// Bound on the relative error of a complex number whose parts are rounded to doubles.
 const ROUNDED: f64 = f64::EPSILON;
-/// Radius below which discs are lost in the rounding of their centres.
+/// Radius below which a disc is not larger than the rounding error of its centre.
 const NARROWEST: f64 = 16.0 * f64::EPSILON;
 /// Scale of coordinates that are nearly zero.
 const SMALLEST: f64 = 1e-6;
-/// Factor that exceeds the rounding of sums of up to 64 positive terms.
+/// Factor that covers the rounding of sums of up to 64 positive terms.
 const MORE: f64 = 1.0 + 1e-12;
 
-/// What is proved of a solution. Distances are those of the coordinates, each relative to its magnitude.
+/// Properties proved for a solution. Distances are those of the coordinates, each relative to its magnitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Certificate {
     /// Bound on the distance from the computed dyads to the solution.
     pub(super) error: f64,
     /// Distance within which there is no other solution.
     pub(super) alone: f64,
-    /// Whether the solution is real; none if that is not decided.
+    /// True if the solution is real, false if it is not; None if that is not decided.
     pub(super) real: Option<bool>,
 }
 
@@ -80,10 +83,10 @@ pub(super) fn certified(
     let mut jacobian = [[Disc::default(); 8]; 8];
     let mut alone = WIDEST;
     for _ in 0..TRIALS {
-        // The radius is larger than the rounding of the centres.
+        // The discs also contain the exact values, because the radius exceeds the rounding of the centres.
         evaluate(&discs(&at, alone), &rough, &mut jacobian);
         let contraction = contraction(&inverse, &jacobian, &scales);
-        // A little more than computed, for the rounding of these sums.
+        // The factor covers the rounding of these sums.
         if contraction < 0.999 && MORE * (shift + contraction * alone) < alone {
             let error = MORE * shift / (1.0 - contraction);
             let enclosed = std::array::from_fn(|k| wide[k].within(error * scales[k]));
@@ -169,8 +172,8 @@ fn is_sound(at: &Dyads<Wide>, displacements: &Displacements<Wide>) -> bool {
     all.all(|wide| wide.disc().excludes_zero())
 }
 
-/// Whether a solution for real points is real. The conjugate of a solution is a solution too; if it is so near that
-/// there is only one, both are the same.
+/// True if a solution for real points is real, false if it is not; None if that is not decided. The conjugate of a
+/// solution is also a solution. If it is within the distance in which there is only one, both are the same.
 fn is_real(at: &Dyads, scales: &[f64; 8], error: f64, alone: f64) -> Option<bool> {
     let pairs = (0..8).map(|k| {
         let other = (k + 4) % 8;

@@ -7,8 +7,8 @@ use super::alt::Dyads;
 use super::disc::Disc;
 use super::wide::Wide;
 
-/// The cognate with the pivots of the first dyad and the third focus (Roberts, Chebyshev). The first hinge goes to
-/// a − x, the other corner of the parallelogram of crank and coupler side.
+/// The cognate whose pivots are that of the first dyad and the third focus (Roberts, Chebyshev). Its first hinge is at
+/// a − x, the fourth corner of the parallelogram of crank and coupler side.
 pub(super) fn cognate(at: &Dyads) -> Dyads {
     let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
     let half = |x: C, a: C, y: C, b: C| {
@@ -41,8 +41,9 @@ pub(super) fn invariants(at: &Dyads) -> [C; 2] {
     [a + b + c, a_bar + b_bar + c_bar]
 }
 
-/// True if the invariants of the solutions within discs are known so well that curves in cells apart differ: shrinking
-/// moves two numbers apart by at most its factor times their distance, doubled here for the change of the factor.
+/// True if the invariants are known so accurately that curves in cells that are not neighbours certainly differ. The
+/// distance of two numbers is multiplied by about the factor [`shrinkage`]; it is doubled here, because the factor
+/// changes between them.
 pub(super) fn is_distinct(at: &Dyads<Wide>) -> bool {
     let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
     let sum = |x: Wide, a: Wide, y: Wide, b: Wide| {
@@ -54,7 +55,8 @@ pub(super) fn is_distinct(at: &Dyads<Wide>) -> bool {
     sums.iter().all(|sum| sum.as_ref().is_some_and(known))
 }
 
-/// Factor by which a number is brought nearer for the look-up, so that far foci differ by their ratio.
+/// Factor that reduces a magnitude |z| above 1 to 1 + ln |z| for the look-up, so that distant foci differ by their
+/// ratio.
 fn shrinkage(sum: C) -> f64 {
     let size = sum.norm();
     if size > 1.0 {
@@ -64,7 +66,7 @@ fn shrinkage(sum: C) -> f64 {
     }
 }
 
-/// The four-bar of a curve, of its three cognates with their dyads in both orders, whose coordinates are smallest.
+/// The four-bar with the smallest coordinates of a curve, among its three cognates with their dyads in both orders.
 pub(super) fn smallest(at: &Dyads) -> Dyads {
     let mut best = *at;
     let size = |at: &Dyads| at.iter().map(C::norm_sqr).sum::<f64>();
@@ -82,14 +84,14 @@ pub(super) fn smallest(at: &Dyads) -> Dyads {
 /// Side of the cells in which curves are looked up, in units of the normalised displacements.
 pub(super) const CELL: f64 = 1e-6;
 
-/// Curves known so far, looked up by their invariants.
+/// Different curves found so far, looked up by their invariants.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Distinct {
     cells: HashMap<[i64; 4], usize>,
 }
 
 impl Distinct {
-    /// Adds a curve with its number; the number of the same curve if it is there already.
+    /// Adds a curve with its number. If the same curve is there already, its number is returned and nothing is added.
     pub(super) fn add(&mut self, at: &Dyads, number: usize) -> Option<usize> {
         let [sum, bar_sum] = invariants(at).map(|sum| sum * shrinkage(sum));
         let parts = [sum.re, sum.im, bar_sum.re, bar_sum.im];

@@ -5,8 +5,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 use super::C;
 use super::alt::Number;
 
-/// Bound on the relative rounding error of a complex product, √5 u with u = 2⁻⁵³, of a sum, and of the magnitude of a
-/// number, with room for the rounding of the bound itself.
+/// Bound on the relative rounding error of a complex product (√5 u with u = 2⁻⁵³), a sum or a magnitude. It also covers
+/// the rounding of the bound itself.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Bound on the error of a product that underflows.
 const UNDERFLOW: f64 = 1e-300;
@@ -40,7 +40,7 @@ impl Disc {
         self.centre.norm() * (1.0 - ROUNDING) > self.radius
     }
 
-    /// The reciprocals; None if zero may be inside.
+    /// Disc that contains the reciprocals of all numbers of this disc; None if zero may be inside.
     pub(super) fn reciprocal(&self) -> Option<Self> {
         let least = self.centre.norm() * (1.0 - ROUNDING) - self.radius;
         let centre = self.centre.inv();

@@ -21,11 +21,11 @@ pub struct PathFourBar {
     pub hinges: [Point; 2],
     /// The first point, where P is.
     pub point: Point,
-    /// Greatest amount by which P, with the crank and the rocker at their lengths, misses a point, measured as the error
-    /// of these lengths with P at the point.
+    /// Greatest error of the lengths of crank and rocker, with P placed exactly at each of the points. With exact
+    /// lengths P would miss a point by about this distance.
     pub residual: f64,
-    /// Verdict on the linkage driven by its crank, or the reasons why these lengths form no linkage. Its order is that
-    /// of the points.
+    /// Verdict on the linkage driven by its crank, or the reasons why these lengths form no linkage. The order in the
+    /// verdict is that of the points.
     pub verdict: Result<Verdict, Vec<Invalid>>,
 }
 
@@ -50,8 +50,8 @@ pub struct RankedFourBar {
 }
 
 impl Search {
-    /// The real four-bars found and proved so far: those that pass through all points in one motion and in order first,
-    /// then by their least transmission angle between the points.
+    /// The real four-bars found and proved so far. First come those that pass through all points in one motion and in
+    /// order; within a rank, those with the greater minimum transmission angle between the points.
     pub fn ranked(&self) -> Vec<RankedFourBar> {
         let mut found = Vec::new();
         for (curve, cognates) in (1..).zip(self.real()) {
@@ -95,7 +95,7 @@ impl Search {
 
 /// The three four-bars of a real solution.
 fn cognates(points: &NinePoints, at: &Dyads) -> [PathFourBar; 3] {
-    // Equal conjugates to the last digit.
+    // Coordinates and conjugates are made conjugate to the last digit.
     let at = std::array::from_fn(|k| {
         let mean = (at[k % 4] + at[k % 4 + 4].conj()) * 0.5;
         if k < 4 { mean } else { mean.conj() }
@@ -124,7 +124,7 @@ fn rank(four_bar: &PathFourBar) -> Option<(bool, bool, f64)> {
 /// A four-bar with the coupler at each of the points.
 struct Places {
     pivots: [C; 2],
-    /// From P to the hinges at each point.
+    /// Vectors from P to the two hinges, with P at each of the points.
     arms: [[C; 2]; POINTS],
     points: [C; POINTS],
     residual: f64,
@@ -197,8 +197,8 @@ impl Places {
     }
 }
 
-/// The arms of a coupler turned so that both hinges keep their distances from the pivots as well as possible, and the
-/// greater error of the distances. `place` is the coupler point relative to each pivot.
+/// The arms of a coupler that is turned so that the errors of both hinges' distances from their pivots are least, and
+/// the greater of these errors. `place` is the coupler point relative to each pivot, `rough` an approximate turn.
 fn turned(place: [C; 2], arms: [C; 2], lengths: [f64; 2], rough: C) -> ([C; 2], f64) {
     let mut turn = rough / rough.norm();
     let gaps = |turn: C| [0, 1].map(|k| (place[k] + arms[k] * turn).norm() - lengths[k]);
@@ -206,7 +206,7 @@ fn turned(place: [C; 2], arms: [C; 2], lengths: [f64; 2], rough: C) -> ([C; 2], 
         let rates = [0, 1].map(|k| {
             let arm = arms[k] * turn;
             let hinge = place[k] + arm;
-            // A turn moves the hinge by i times its arm.
+            // If the coupler turns, the hinge moves at i times its arm.
             -(arm * hinge.conj()).im / hinge.norm()
         });
         let [p, q] = gaps(turn);

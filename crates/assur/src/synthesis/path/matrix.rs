@@ -77,8 +77,8 @@ mod tests {
     use super::*;
     use crate::synthesis::path::ONE;
 
-    /// Row k has 2 on the diagonal and i beside it, to the left and around; all rows are then turned by three, so that
-    /// rows must be exchanged. The solution is 1, 2, …, 8.
+    /// Each row has 2 on the diagonal and i to the left of it, in the first row at the right end. All rows are then
+    /// shifted by three, so that rows must be exchanged. The solution is 1, 2, …, 8.
     #[test]
     fn exchanged_rows() {
         let mut rows = [[ZERO; 8]; 8];

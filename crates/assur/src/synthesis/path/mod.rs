@@ -3,18 +3,18 @@
 //! Nine points determine a finite number of four-bars (Alt 1923): over the complex numbers 1,442 coupler curves, each
 //! traced by three cognates (Wampler, Morgan, Sommese 1992). All are found by a parameter homotopy: one generic set of
 //! nine complex points with its 1,442 curves is known ([`Start`]), and as its points move to the given ones, the curves
-//! move with them. One path for each curve is enough, because the three cognates and the order of the two dyads are
-//! the same all the way.
+//! move with them. One path for each curve is enough: the paths of its other cognates, and those with the two dyads
+//! exchanged, would lead to the same curve.
 //!
 //! | file | subject |
 //! |---|---|
 //! | `alt` | the equations, with their Jacobian |
 //! | `task` | nine points, checked and normalised |
-//! | `start`, `monodromy` | start data as bytes; making them anew |
+//! | `start`, `monodromy` | start data as bytes; computation of new start data |
 //! | `tracker`, `series`, `matrix` | one path: predictor and corrector |
-//! | `search` | all paths, in portions for workers |
+//! | `search` | all paths, divided among workers |
 //! | `certificate`, `disc`, `wide` | proof of each solution, with all rounding enclosed |
-//! | `curve` | cognates; telling curves apart |
+//! | `curve` | cognates; comparison of curves |
 //! | `linkage` | real four-bars and their verdicts |
 
 mod alt;

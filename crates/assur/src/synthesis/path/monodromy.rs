@@ -1,8 +1,8 @@
 //! Start data by monodromy: solutions of one generic instance are carried along closed ways of the parameters.
 //!
-//! A closed way permutes the solutions, so known ones end in others. One four-bar is made with points on its curve; the
-//! ways go on until all [`CURVES`] are known (Sommese and Wampler 2005, *The Numerical Solution of Systems of
-//! Polynomials Arising in Engineering and Science*, ch. 15).
+//! A closed way permutes the solutions, so a known solution may lead to an unknown one. The first solution is a random
+//! four-bar, with points on its curve. Closed ways are followed until all [`CURVES`] are known (Sommese and Wampler
+//! 2005, *The Numerical Solution of Systems of Polynomials Arising in Engineering and Science*, ch. 15).
 
 use crate::numeric::random::Random;
 
@@ -12,7 +12,7 @@ use super::start::Start;
 use super::tracker::{Ending, USUAL, Way, polished, track};
 use super::{C, CURVES, ZERO};
 
-/// Closed ways after which the search is given up.
+/// Maximum number of closed ways.
 const MAX_WAYS: usize = 60;
 
 /// A complex number whose magnitude is from ½ to 3/2.
@@ -41,7 +41,7 @@ pub(super) fn first(random: &mut Random) -> (Dyads, Displacements) {
         backward: [ZERO; 8],
     };
     for j in 0..8 {
-        // With T = e^(iθ) a dyad is at length if δδ̄ + pδ + qδ̄ + k = 0.
+        // With T = e^(iθ), the link of a dyad has its length if δδ̄ + pδ + qδ̄ + k = 0.
         let turn = complex(random);
         let back = turn.inv();
         let terms = |x: C, a: C, x_bar: C, a_bar: C| {
@@ -50,7 +50,7 @@ pub(super) fn first(random: &mut Random) -> (Dyads, Displacements) {
         };
         let [p, q, k] = terms(x, a, x_bar, a_bar);
         let [r, s, l] = terms(y, b, y_bar, b_bar);
-        // The difference of both gives δ = mδ̄ + n.
+        // The difference of the equations of both dyads gives δ = mδ̄ + n.
         let part = (p - r).inv();
         let (m, n) = ((s - q) * part, (l - k) * part);
         let half = (n + p * m + q) / (m * 2.0);
@@ -63,7 +63,7 @@ pub(super) fn first(random: &mut Random) -> (Dyads, Displacements) {
 }
 
 impl Start {
-    /// Start data made anew; None if not all curves are found.
+    /// Computes start data; None if not all curves are found.
     pub fn make(seed: u64, mut progress: impl FnMut(usize)) -> Option<Self> {
         let mut random = Random(seed);
         let (at, here) = first(&mut random);

@@ -1,4 +1,4 @@
-//! The search for all coupler curves through nine points: paths in portions that workers share.
+//! The search for all coupler curves through nine points, by paths that are divided among workers.
 
 use super::alt::{Displacements, Dyads};
 use super::certificate::{Certificate, certified};
@@ -9,7 +9,7 @@ use super::tracker::{CAREFUL, Ending, USUAL, Way, track};
 use super::wide::Wide;
 use super::{C, CURVES};
 
-/// Ways from the start data to the points that are tried.
+/// Maximum number of ways from the start data to the points.
 const MAX_WAYS: usize = 3;
 
 /// The paths of one way that are to be followed.
@@ -23,7 +23,7 @@ pub struct Work {
     pub paths: Vec<usize>,
 }
 
-/// Paths from the start data to nine points, on one way. A worker makes it from the start data and a [`Work`].
+/// Paths from the start data to nine points, on one way. A worker makes a homotopy from the start data and a [`Work`].
 pub struct Homotopy<'a> {
     start: &'a Start,
     way: Way,
@@ -47,10 +47,10 @@ impl End {
         self.certificate.is_some()
     }
 
-    /// Number of numbers of an end.
+    /// Length of the list by [`Self::numbers`].
     pub const NUMBERS: usize = 21;
 
-    /// The end as numbers, in which a worker sends it.
+    /// The end as a list of numbers, which a worker can send.
     pub fn numbers(&self) -> [f64; Self::NUMBERS] {
         let mut numbers = [0.0; Self::NUMBERS];
         numbers[0] = self.path as f64;
@@ -74,7 +74,7 @@ impl End {
         numbers
     }
 
-    /// The end that has these numbers.
+    /// The end from its list of numbers.
     pub fn from_numbers(numbers: &[f64; Self::NUMBERS]) -> Self {
         let [path, ending, .., error, alone, real] = *numbers;
         Self {
@@ -97,9 +97,10 @@ impl End {
 }
 
 impl<'a> Homotopy<'a> {
-    /// The paths of a work.
+    /// Homotopy with the paths of a [`Work`].
     pub fn new(start: &'a Start, points: &NinePoints, work: &Work) -> Self {
-        // Turning displacements and conjugates independently turns the solutions: another generic start for each way.
+        // If displacements and conjugates are rotated independently, the solutions rotate with them. This gives another
+        // generic start for each way.
         let turn = |k: usize| C::from_polar(1.0, 0.7 + 2.399_963 * (2 * work.way + k) as f64);
         let turns = [turn(0), turn(1)];
         let Displacements { forward, backward } = start.displacements;
@@ -158,12 +159,12 @@ pub struct Search {
     points: NinePoints,
     curves: Vec<Curve>,
     distinct: Distinct,
-    /// The last work given out, and the number of its paths that have not ended.
+    /// The last work given out; `left` is the number of its paths that have not ended.
     work: Work,
     left: usize,
     given: bool,
     lost: usize,
-    /// Paths that ended where others did, and these others.
+    /// Paths that ended in one curve with another path of the same way, and these other paths.
     doubled: Vec<usize>,
 }
 
@@ -191,7 +192,7 @@ impl Search {
         &self.points
     }
 
-    /// The paths to be followed next; none while paths are under way, and at the end of the search.
+    /// The paths to be followed next. None if paths of the last work have not ended, and at the end of the search.
     pub fn work(&mut self) -> Option<Work> {
         if self.given && !self.is_next() {
             return None;
@@ -212,7 +213,7 @@ impl Search {
             doubled.dedup();
             self.work.paths = doubled;
             self.work.careful = true;
-            // Lost paths are lost also after this work.
+            // Lost paths are not followed again in this work, so their number stays.
             self.lost = lost;
         } else if (lost > 0 || !doubled.is_empty()) && self.work.way + 1 < MAX_WAYS {
             self.work = Work {

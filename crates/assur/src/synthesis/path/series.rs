@@ -32,7 +32,7 @@ struct Equation {
     cross: [Power; 3],
 }
 
-/// Coefficient `k` of a product.
+/// Taylor coefficient `k` of a product.
 #[inline(always)]
 fn product(a: &Power, b: &Power, k: usize) -> C {
     let mut sum = a[0] * b[k];
@@ -43,7 +43,7 @@ fn product(a: &Power, b: &Power, k: usize) -> C {
 }
 
 impl Equation {
-    /// Sets coefficient `k` of all terms and gives that of F.
+    /// Sets coefficient `k` of all terms, and returns coefficient `k` of the residual F.
     #[inline(always)]
     fn order(&mut self, k: usize, path: &[Power; 8], [delta, bar]: [[C; 2]; 2]) -> C {
         let given = |of: [C; 2]| if k < 2 { of[k] } else { ZERO };
@@ -59,7 +59,7 @@ impl Equation {
             terms.reach[1][k] = bar_k - a_bar[k];
             terms.u[k] = product(x, &terms.reach[1], k);
             terms.v[k] = product(x_bar, &terms.reach[0], k);
-            // δδ̄ is split between the two products: δ(x̄ − ā) + δ̄(x − a + δ).
+            // The term δδ̄ is included in the second product: δ(x̄ − ā) + δ̄(x − a + δ).
             let along = |k: usize| x_bar[k] - a_bar[k];
             let across = |k: usize| x[k] + terms.reach[0][k];
             let mut w = delta[0] * along(k) + bar[0] * across(k);
@@ -80,7 +80,7 @@ impl Equation {
         value
     }
 
-    /// Adds to coefficient `k` of all terms what coefficient `k` of the path contributes.
+    /// Adds to coefficient `k` of all terms the contribution of coefficient `k` of the path.
     #[inline(always)]
     fn correct(&mut self, k: usize, path: &[Power; 8], [delta, bar]: [[C; 2]; 2]) {
         let mut change = [[ZERO; 3]; 2];
@@ -162,7 +162,7 @@ mod tests {
     use crate::synthesis::path::alt::evaluate;
     use crate::synthesis::path::monodromy::{displacements, first};
 
-    /// With terms to the fourth power the residual is of the fifth order: a tenth of the step leaves 10⁻⁵ of it.
+    /// With terms up to the fourth power the residual is of the fifth order: half of the step leaves 1/32 of it.
     #[test]
     fn the_residual_of_the_polynomial_is_of_the_fifth_order() {
         let mut random = Random(5);
@@ -182,7 +182,7 @@ mod tests {
             let residuals = evaluate(&at, &there, &mut jacobian.clone());
             residuals.iter().map(|f| f.norm()).fold(0.0, f64::max)
         };
-        // Halving from steps far within the radius of convergence.
+        // Both steps are far within the radius of convergence.
         let scale = path.map(|c| (c[3].norm() / c[4].norm()).max(1e-9));
         let h = 0.02 * scale.into_iter().fold(f64::INFINITY, f64::min);
         let ratio = residual(h) / residual(0.5 * h);

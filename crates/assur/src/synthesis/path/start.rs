@@ -1,8 +1,8 @@
 //! The start data of the homotopy: one generic set of nine complex points and its 1,442 curves.
 //!
-//! The bytes, all little-endian: `MARK`; the number of curves (u32); the 16 complex displacements (f64); for each curve
-//! the 8 complex coordinates of one four-bar (f32); the checksum of all that precedes (u64). Newton's method gives the
-//! digits that f32 leaves out.
+//! Format of the bytes, all little-endian: `MARK`; the number of curves (u32); the 16 complex displacements (f64); for
+//! each curve the 8 complex coordinates of one four-bar (f32); the checksum of all preceding bytes (u64). Newton's
+//! method restores the digits that f32 lacks.
 
 use super::alt::{Displacements, Dyads};
 use super::tracker::polished;
@@ -19,10 +19,10 @@ pub struct Start {
     pub(super) dyads: Vec<Dyads>,
 }
 
-/// Why bytes are no start data.
+/// Reasons why bytes are not start data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StartError {
-    /// The bytes are not start data, or not whole.
+    /// The bytes have another format, or are incomplete.
     Form,
     /// The checksum does not agree with the bytes.
     Checksum,

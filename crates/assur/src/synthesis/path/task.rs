@@ -17,28 +17,28 @@ pub struct NinePoints {
     points: [Point; POINTS],
     /// Index of the point from which displacements are measured.
     base: usize,
-    /// Power of two that brings the displacements to the size 1.
+    /// Power of two by which displacements are multiplied, so that their size is about 1.
     scale: f64,
-    /// Displacements of the other points from the base, normalised, exactly.
+    /// Exact normalised displacements of the other points from the base.
     displacements: Displacements<Wide>,
     /// False if a coordinate and its conjugate are independent.
     real: bool,
 }
 
-/// Why points are no task with a finite number of curves.
+/// Reasons why points are no task with a finite number of curves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PathError {
-    /// There are not nine points but this number.
+    /// The number of points is this number, not nine.
     Count(usize),
     /// The coordinates of the point with this index are not finite or too large.
     Place(usize),
     /// The points with these indices coincide. Fewer than nine different points leave a family of curves.
     Coincident(usize, usize),
-    /// All points are in line. A coupler curve meets a line in at most six points, so there is no four-bar; a slide
-    /// moves its point along the line.
+    /// All points are in line. A coupler curve meets a line in at most six points, so there is no four-bar. A slide can
+    /// move a point along the line.
     Line,
-    /// All points are on a circle. A coupler curve that does not contain the circle meets it in at most six points. So a
-    /// crank about the centre is left, with any coupler and rocker: a family.
+    /// All points are on a circle. A coupler curve that does not contain the circle meets it in at most six points. So
+    /// only a crank about the centre traces the points, with any coupler and rocker: a family.
     Circle {
         /// Centre of the circle.
         centre: Point,
@@ -69,7 +69,7 @@ impl NinePoints {
             }
         }
         on_line_or_circle(&points, middle, size)?;
-        // A point in the middle of a cluster keeps the displacements of its neighbours exact.
+        // With the base in the middle of a cluster, the small displacements within the cluster keep all their digits.
         let spread = |k: usize| points.iter().map(|p| (p - points[k]).norm()).sum::<f64>();
         let mut base = 0;
         for k in 1..POINTS {
@@ -97,8 +97,8 @@ impl NinePoints {
         })
     }
 
-    /// Nine complex points, each by two independent complex numbers, which are conjugate for a real point. They are the
-    /// generic case, in which nine points have exactly 1,442 curves. Magnitudes should be about 1.
+    /// Nine complex points. Each is given by two independent complex numbers, which would be conjugate for a real
+    /// point. This is the generic case, with exactly 1,442 curves. Magnitudes should be about 1.
     pub fn complex(points: &[[Complex<f64>; 2]; POINTS]) -> Self {
         let [base, others @ ..] = points;
         let from_base = |k: usize| others.map(|to| Wide::new(to[k] - base[k], 0.0));
@@ -142,8 +142,8 @@ impl NinePoints {
 /// # Errors
 /// [`PathError::Line`] or [`PathError::Circle`] if all points are on one.
 fn on_line_or_circle(points: &[Point], middle: Point, size: f64) -> Result<(), PathError> {
-    // The circle α|z|² + β·z + γ = 0 about the middle, with lengths in units of the size, by least squares: the null
-    // vector of the points' rows (|z|², x, y, 1).
+    // The circle α|z|² + β·z + γ = 0 by least squares, with z measured from the middle in units of the size. The
+    // coefficients are the null vector of the rows (|z|², x, y, 1) of the points.
     let rows = points.iter().map(|point| {
         let z = (point - middle) / size;
         [z.norm_squared(), z.x, z.y, 1.0]
@@ -159,7 +159,7 @@ fn on_line_or_circle(points: &[Point], middle: Point, size: f64) -> Result<(), P
         return Ok(());
     };
     let [alpha, x, y, gamma] = [0, 1, 2, 3].map(|k| vectors[(least, k)]);
-    // With a radius of more than 10⁹ sizes the circle is a line.
+    // If the radius exceeds 10⁹ sizes, the circle counts as a line.
     if alpha.abs() <= tolerance::COINCIDENT * x.hypot(y) {
         return Err(PathError::Line);
     }

@@ -16,25 +16,25 @@ pub(super) struct Care {
     pub(super) steps: usize,
 }
 
-/// Enough for nearly all paths.
+/// Usual accuracy, sufficient for nearly all paths.
 pub(super) const USUAL: Care = Care {
     prediction: 1e-4,
     correction: 1e-3,
     steps: 1_500,
 };
 
-/// For paths that were lost, or that ended where another did.
+/// Accuracy for paths that were lost, or that ended in one solution with another path.
 pub(super) const CAREFUL: Care = Care {
     prediction: 1e-7,
     correction: 1e-5,
     steps: 4_000,
 };
 
-/// A last correction smaller than this leaves an error of its square.
+/// Newton correction below which the iteration ends: the error that remains is about the square of the correction.
 const CORRECTED: f64 = 1e-8;
-/// A path lost nearer than this to the end of its way has its end there.
+/// Distance from the end of the way at which a lost path counts as ending in a singular solution.
 const AT_THE_END: f64 = 1e-4;
-/// A step shorter than this makes no progress in double precision.
+/// Minimum length of a step; a shorter one makes no progress in double precision.
 const SHORTEST: f64 = 1e-12;
 
 /// Straight way between two sets of displacements.
@@ -64,7 +64,7 @@ impl Way {
     }
 }
 
-/// Greatest entry of a vector in the metric of the sphere of complex numbers: near infinity, 1/z counts. The
+/// Greatest change of a coordinate z or, for |z| > 1, of 1/z, so that changes near infinity are comparable. The
 /// displacements have the size 1.
 fn relative(vector: &Row, at: &Dyads) -> f64 {
     let each = vector.iter().zip(at).map(|(change, z)| {
@@ -88,7 +88,8 @@ fn predict(path: &[Power; 8], h: f64) -> Dyads {
     })
 }
 
-/// Newton's method from a prediction; the factors are those of the last Jacobian. None if it does not converge quickly.
+/// Corrects a prediction by Newton's method, and returns the factors of the last Jacobian. None if the method does not
+/// converge quickly.
 fn correct(at: &mut Dyads, here: &Displacements, greatest: f64) -> Option<Factors> {
     let mut bound = greatest;
     for _ in 0..4 {
@@ -111,7 +112,7 @@ fn correct(at: &mut Dyads, here: &Displacements, greatest: f64) -> Option<Factor
     None
 }
 
-/// A solution made as exact as double precision allows; None if Newton's method does not converge from it.
+/// A solution refined to double precision by Newton's method; None if the method does not converge.
 pub(super) fn polished(mut at: Dyads, here: &Displacements) -> Option<Dyads> {
     let mut last = 1e-2;
     for _ in 0..8 {
@@ -133,7 +134,7 @@ pub(super) fn polished(mut at: Dyads, here: &Displacements) -> Option<Dyads> {
     (last < CORRECTED).then_some(at)
 }
 
-/// How a path ended.
+/// End of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Ending {
     /// At a solution.
@@ -193,7 +194,7 @@ fn step_length(path: &[Power; 8], at: &Dyads, error: f64) -> f64 {
     let size = |k: usize| relative(&path.map(|power| power[k]), at).max(f64::MIN_POSITIVE);
     let [third, fourth] = [size(ORDER - 1), size(ORDER)];
     let radius = third / fourth;
-    // The next coefficient is taken to be smaller by the same ratio.
+    // The ratio of the next coefficient to the last is taken to equal that of the last two.
     let h = (error / fourth * radius).powf(0.2);
     h.min(0.7 * radius).max(SHORTEST)
 }
@@ -204,7 +205,7 @@ mod tests {
     use crate::numeric::random::Random;
     use crate::synthesis::path::monodromy::{displacements, first};
 
-    /// There and back along the same way the path ends where it began.
+    /// A path followed to the end of a way and back along it ends where it began.
     #[test]
     fn a_path_there_and_back_is_closed() {
         for seed in 0..5 {

@@ -7,13 +7,13 @@ use super::C;
 use super::alt::Number;
 use super::disc::Disc;
 
-/// Bound on the relative rounding error of a sum or product of complex numbers: some units of 2⁻¹⁰⁴, with room for the
-/// terms of a part that cancel.
+/// Bound on the relative rounding error of a sum or product of complex numbers: some units of 2⁻¹⁰⁴, enlarged because
+/// the terms of a part may cancel.
 const ROUNDING: f64 = 1e-29;
 /// Bound on the error of a product that underflows.
 const UNDERFLOW: f64 = 1e-290;
 
-/// Sum of two doubles, the second within rounding of the first.
+/// Sum of two doubles, of which the second is at most a rounding error of the first.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Pair(f64, f64);
 
@@ -25,7 +25,7 @@ impl Pair {
         Self(sum, (a - (sum - part)) + (b - part))
     }
 
-    /// The same, if the second is smaller than the first.
+    /// The exact sum of two doubles of which the second has the smaller magnitude.
     fn quick_sum(a: f64, b: f64) -> Self {
         let sum = a + b;
         Self(sum, b - (sum - a))
@@ -60,7 +60,7 @@ impl Pair {
     }
 }
 
-/// A complex number of about 30 digits; the exact one is within the radius.
+/// A complex number of about 30 digits; the exact number is within `radius` of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Wide {
     re: Pair,
@@ -97,7 +97,7 @@ impl Wide {
         }
     }
 
-    /// The number less a double, which needs no error bound.
+    /// The number less a correction. The result is a new approximation, so its error bound is zero.
     pub(super) fn corrected(self, by: C) -> Self {
         Self {
             radius: 0.0,
@@ -105,7 +105,7 @@ impl Wide {
         }
     }
 
-    /// The number without its bound, enlarged to another.
+    /// The number with another radius.
     pub(super) fn within(self, radius: f64) -> Self {
         Self { radius, ..self }
     }
