@@ -5,8 +5,8 @@ use crate::gears::Mesh;
 use crate::linkage::{GearSpec, LinkageSpec};
 use crate::tolerance::COINCIDENT;
 
-/// A five-bar whose two cranks turn alike, because each is in mesh with an idler of as many teeth, with the joint of
-/// its two other bars, in one pose.
+/// A five-bar with equal gears, in one pose. Its two cranks turn alike, because each is in mesh with an idler of as
+/// many teeth. The joint of the other two bars traces the curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GearedFiveBar {
     /// The fixed pivots.
@@ -21,7 +21,7 @@ pub struct GearedFiveBar {
 const TEETH: f64 = 20.0;
 
 impl GearedFiveBar {
-    /// None if two joints of a bar, or the pivots, coincide.
+    /// The five-bar in a pose; None if the joints of a bar, or the pivots, coincide.
     pub(super) fn new(pivots: [Point; 2], joints: [Point; 2], point: Point) -> Option<Self> {
         let bars = [
             pivots[1] - pivots[0],

@@ -113,7 +113,7 @@ fn the_cognate_of_a_slider_crank_exchanges_crank_and_rod() {
     let [crank, rod, offset] = cognate.lengths();
     assert!((crank - 2.0).abs() < 1e-14 && (rod - 1.0).abs() < 1e-14 && offset.abs() < 1e-14);
     assert!((cognate.guide() - Vector::y()).norm() < 1e-15);
-    // The slider of the cognate is where the slider is, a quarter turn further.
+    // The slider of the cognate is at the place of the given slider, rotated by a quarter turn about the pivot.
     assert!((cognate.joints()[1] - point(0.0, 3_f64.sqrt())).norm() < 1e-14);
     let back = cognate.cognate().unwrap();
     assert!((back.joints()[1] - b).norm() < 1e-14);
