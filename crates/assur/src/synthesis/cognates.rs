@@ -47,7 +47,7 @@ pub enum CouplerError {
 pub enum NoCognate {
     /// The coupler point is a joint of the coupler, and the cognate has no size: the curve is a circle, or an arc.
     AtJoint,
-    /// Coupler and output of the cognate coincide and turn about a fixed joint. So it is for a parallelogram, whose
+    /// Coupler and output of the cognate coincide and turn about a fixed joint. This occurs for a parallelogram, whose
     /// coupler points move on circles.
     Collapsed,
 }
@@ -69,8 +69,8 @@ impl CouplerFourBar {
         Ok(found)
     }
 
-    /// A pose of the other assembly: the joints reflected about the line of the fixed pivots. Of a four-bar that satisfies
-    /// Grashof's condition it is on the other circuit. None if all joints are on that line.
+    /// A pose of the other assembly, with the joints reflected in the line of the fixed pivots. If the four-bar
+    /// satisfies Grashof's condition, this pose is on the other circuit. None if all joints are on that line.
     pub fn reflected(&self) -> Option<Self> {
         let ([a, d], w) = (self.pivots, self.ratio());
         let frame = d - a;
@@ -110,7 +110,7 @@ impl CouplerFourBar {
     /// The Grashof type.
     ///
     /// # Errors
-    /// Never for a linkage that [`Self::new`] made; then every reason why the lengths form no linkage.
+    /// Every reason why the lengths form no linkage; only a cognate may have such lengths.
     pub fn grashof(&self) -> Result<Grashof, Vec<Invalid>> {
         FourBar::new(self.lengths()).map(|linkage| linkage.grashof())
     }
@@ -130,7 +130,7 @@ impl CouplerFourBar {
     }
 
     /// The other two four-bars whose coupler points trace the same curve: on the pivots A₀ and C₀, and on B₀ and C₀.
-    /// The crank of each turns as the coupler of this linkage does; so do A₀A′ and B₀B′, the cranks of a geared
+    /// Their cranks A₀A′ and B₀B′ turn as the coupler of this linkage does. The two cranks are also those of a geared
     /// five-bar.
     pub fn cognates(&self) -> [Result<Self, NoCognate>; 2] {
         let ([a0, b0], [a, b], p) = (self.pivots, self.joints, self.point);
@@ -210,10 +210,11 @@ impl CouplerFourBar {
     }
 }
 
-/// Nearest place of a traced point to a joint, as a part of its bar, at which it is still a point of the link.
+/// Minimum distance of a traced point from a joint, relative to the bar, at which it is listed as a point of the link.
 const AT_JOINT: f64 = 1e-6;
 
-/// Adds a link with the joints B and C and the traced point P, which at a joint is a tracer.
+/// Adds a link with the joints B and C and the traced point P: as a point of the link or, at a joint, by
+/// [`LinkageSpec::tracer`].
 fn with_traced(mut spec: LinkageSpec, link: &str, joints: [Point; 2], point: Point) -> LinkageSpec {
     let length = (joints[1] - joints[0]).norm();
     if joints
