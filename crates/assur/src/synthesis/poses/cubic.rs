@@ -7,7 +7,7 @@
 //! a(X) Y² + b(X) Y + c(X) = 0
 //!
 //! with polynomials a, b and c of degree 1, 1 and 3: each parallel to the asymptote has two points. They are real
-//! between the roots of b² − 4ac, a quartic. With the matrices transposed the cubic is that of W.
+//! where the quartic b² − 4ac is positive. With the matrices transposed the cubic is that of W.
 
 use nalgebra::{Matrix3, Vector2};
 
@@ -62,7 +62,7 @@ impl Cubic {
     }
 }
 
-/// A cubic as quadratics along parallels to its asymptote.
+/// A cubic, as quadratics along the parallels to its asymptote.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Parallels {
     /// Unit vector along X.
@@ -76,7 +76,7 @@ pub(super) struct Parallels {
 }
 
 impl Parallels {
-    /// None if the cubic vanishes everywhere.
+    /// The quadratics of a cubic; None if the cubic vanishes everywhere.
     pub(super) fn new(cubic: &Cubic) -> Option<Self> {
         let size = cubic.size();
         if size <= tolerance::NEGLIGIBLE {
@@ -136,7 +136,7 @@ impl Parallels {
         self.across.dot(&point)
     }
 
-    /// The triple of the point at X and Y : w.
+    /// Homogeneous coordinates of the point with the abscissa X and the ordinate Y = y/w.
     pub(super) fn triple(&self, x: f64, [y, w]: [f64; 2]) -> Triple {
         let (cos, sin) = (self.across.x, self.across.y);
         Triple::new(x * cos * w - y * sin, x * sin * w + y * cos, w)
@@ -147,8 +147,8 @@ impl Parallels {
         Triple::new(-self.across.y, self.across.x, 0.0)
     }
 
-    /// The intervals of X, within given ends, in which the parallels have real points, and whether both points meet at
-    /// each end.
+    /// The intervals of X, within given ends, in which the parallels have real points. The flag of an end is true if
+    /// both points of the parallel coincide there.
     pub(super) fn intervals(&self, [from, to]: [f64; 2]) -> Vec<[(f64, bool); 2]> {
         let [a0, a1] = self.a;
         let [b0, b1] = self.b;
@@ -177,11 +177,11 @@ impl Parallels {
         pairs.filter(real).collect()
     }
 
-    /// Y : w of one of the two points at X; `sign` is +1 or −1.
+    /// Ordinate y/w of one of the two points at X, as [y, w]; `sign` is +1 or −1.
     pub(super) fn ordinate(&self, x: f64, sign: f64) -> [f64; 2] {
         let [a, b, c] = [value(&self.a, x), value(&self.b, x), value(&self.c, x)];
         let root = sign * (b * b - 4.0 * a * c).max(0.0).sqrt();
-        // Of the two forms of the root, the one without cancellation.
+        // The root has two forms; the one without cancellation is used.
         if (root > 0.0) == (b < 0.0) {
             [root - b, 2.0 * a]
         } else {

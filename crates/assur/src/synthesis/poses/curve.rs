@@ -10,19 +10,20 @@ use super::locus::nearly_common;
 use super::task::{Place, Task, Triple};
 use crate::Point;
 
-/// Points of a whole turn of the parameter that are computed first.
+/// Number of steps into which a range of the parameter is divided first.
 const FIRST_POINTS: usize = 48;
-/// Halvings of a step of the parameter. A piece that crosses the window within 10⁻¹² of the parameter is still found.
+/// Maximum number of halvings of a step of the parameter. A piece that is in the window over only 10⁻¹² of the
+/// parameter is still found.
 const MAX_HALVINGS: usize = 40;
-/// Greatest distance of a chord from the curve, as a part of the window's diagonal: a quarter of a pixel of a picture
-/// of a thousand.
+/// Greatest distance of a chord from the curve, relative to the window's diagonal: a quarter of a pixel if the diagonal
+/// has 1000 pixels.
 const FLATNESS: f64 = 2.5e-4;
-/// Greatest length of a chord, as a part of the window's diagonal.
+/// Greatest length of a chord, relative to the window's diagonal.
 const LONGEST: f64 = 1.0 / 24.0;
-/// Steps of the search for the nearest point, each of which leaves 0.618 of the bracket.
+/// Number of steps of the search for the nearest point. Each reduces the bracket to 0.618 of its length.
 const GOLDEN_STEPS: usize = 60;
 
-/// Which of the two curves.
+/// Kind of curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Centre points, in the frame.
@@ -54,8 +55,8 @@ pub struct Curve {
     lines: Vec<Vec<CurvePoint>>,
 }
 
-/// A piece of a curve: with half > 0 a loop X = middle − half·cos τ, on which the sign of sin τ is that of the root; or
-/// a parallel, Y = middle + half·τ at X.
+/// A piece of a curve with the parameter τ: a loop, X = middle − half·cos τ, on which the root has the sign of sin τ;
+/// or a parallel at X, Y = middle + half·τ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Piece {
     Loop { middle: f64, half: f64 },
@@ -73,7 +74,7 @@ struct Window {
 type Sample = (f64, Vector2<f64>);
 
 impl CurvePoint {
-    /// The dyad of a point of a curve of this kind and its partner.
+    /// The dyad of this point, which is on a curve of a given kind, and its partner.
     pub fn dyad(&self, kind: Kind) -> Option<Dyad> {
         let at = Place::Finite(self.at);
         match kind {
@@ -118,7 +119,7 @@ impl Curve {
         Some(curve)
     }
 
-    /// The branches of the curve.
+    /// The branches of the curve within the rectangle, as polylines.
     pub fn lines(&self) -> &[Vec<CurvePoint>] {
         &self.lines
     }
@@ -269,7 +270,7 @@ impl Curve {
         let mut last = sample(from);
         for k in 1..=FIRST_POINTS {
             let next = sample(from + (to - from) * k as f64 / FIRST_POINTS as f64);
-            // Steps still to be judged, the next one last, each with the halvings that made it.
+            // Ends of steps still to be tested, the next one last, each with its number of halvings.
             let mut steps = vec![(next, 0)];
             while let Some((end, halvings)) = steps.pop() {
                 let is_flat = match window.judge(last.1, end.1) {
@@ -312,7 +313,7 @@ impl Curve {
     }
 }
 
-/// A chord within the window, or not.
+/// Result of a comparison of a chord with the window.
 enum Step {
     Outside,
     Long,
@@ -323,7 +324,7 @@ impl Window {
     fn judge(&self, from: Vector2<f64>, to: Vector2<f64>) -> Step {
         let middle = 0.5 * (from + to) - self.middle;
         let reach = 0.5 * (to - from).abs() + self.half;
-        // A comparison with NaN, from a point at infinity, keeps the chord.
+        // A point at infinity gives NaN. Both comparisons are then false, and the chord is not outside.
         let apart = |k: usize| middle[k].abs() > reach[k];
         if apart(0) || apart(1) {
             Step::Outside

@@ -14,7 +14,7 @@ use nalgebra::{Complex, Matrix3};
 use super::task::{Pose, Triple, complex};
 use crate::Vector;
 
-/// w ↦ e^{iα}w + d.
+/// A displacement w ↦ e^{iα}w + d of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Displacement {
     /// α/2.
@@ -26,7 +26,7 @@ pub(super) struct Displacement {
 }
 
 impl Displacement {
-    /// The displacement in coordinates from an origin, divided by a unit.
+    /// Displacement between two poses, in coordinates that are measured from `origin` in units of `unit`.
     pub(super) fn between(from: &Pose, to: &Pose, origin: Vector, unit: f64) -> Self {
         let half = 0.5 * crate::angle::nearest_to(to.angle - from.angle, 0.0);
         let at = |pose: &Pose| complex(pose.place().coords - origin) / unit;
@@ -65,21 +65,22 @@ impl Displacement {
         &self.matrix
     }
 
-    /// The pole, which the displacement leaves in place: (1 − R) P = d. At infinity, perpendicular to d, for a translation.
+    /// The pole, which the displacement leaves in place: (1 − R) P = d. At infinity, perpendicular to d, for a
+    /// translation.
     pub(super) fn pole(&self) -> Triple {
         // P = d e^{−i(α/2 − π/2)}/(2 sin α/2).
         let along = self.shift * Complex::cis(-self.half) * Complex::i();
         Triple::new(along.re, along.im, 2.0 * self.half.sin())
     }
 
-    /// The displacement followed backwards by another: from the end of `self` to the end of `other`.
+    /// Displacement from the pose after `self` to the pose after `other`, both from the same first pose.
     pub(super) fn to(&self, other: &Self) -> Self {
         let half = other.half - self.half;
         let turn = Complex::cis(2.0 * half);
         Self::new(half, other.shift - turn * self.shift)
     }
 
-    /// The place before the displacement of a point that is at `triple` after it.
+    /// Place before the displacement of the point of the body that is at `triple` after the displacement.
     pub(super) fn back(&self, triple: Triple) -> Triple {
         let at = Complex::new(triple.x, triple.y) - self.shift * triple.z;
         let at = at * Complex::cis(-2.0 * self.half);
@@ -132,7 +133,7 @@ mod tests {
         ];
         let pole = first.to(&second).pole();
         assert!((pole / pole.z - Triple::new(3.5, 1.5, 1.0)).norm() < 1e-15);
-        // The body's point there was at −i(1.5 + 1.5i) = (1.5, −1.5) in the first pose, and −(−1.5 + 1.5i) again.
+        // The body's point at the pole was at (1.5, −1.5) in the first pose: −i(1.5 + 1.5i), and also −(−1.5 + 1.5i).
         for of in [first, second] {
             assert!((of.back(pole) / pole.z - Triple::new(1.5, -1.5, 1.0)).norm() < 1e-14);
         }

@@ -1,11 +1,11 @@
-//! Motion of a body on two dyads, at least one of which slides, as the range of its input.
+//! Motion of a body on two dyads, at least one of which slides: the arcs of the input on which the linkage closes.
 //!
-//! The input is the angle of the first dyad's link or block, or the place of its slider. What is left for the second
-//! dyad is one number v of the input: the distance of the first hinge B from the second's line (PR), of which the
-//! coupler may be at most the length l away, or the square of the distance from B to the pivot (RP), which is at least
-//! the square of the offset e of the body's line. In both cases v is a cosine of a crank's angle, so that the input has
-//! no, one or two arcs in a turn. At their ends, the dead points, the transmission angle μ is zero: cos μ is v/l or
-//! e/√v.
+//! The input is the angle of the first dyad's link or block, or the place of its slider. It gives the hinge B of the
+//! first dyad on the body. The second dyad closes depending on one number v. If the second dyad is a slider (PR), v is
+//! the distance of B from its line, at most the length l of the coupler. If it is a block (RP), v is the square of the
+//! distance from B to the pivot, at least the square of the offset e of the body's line from B. For a crank v is a
+//! linear function of a cosine of the input, so the input has no, one or two arcs in a turn. At their ends, the dead
+//! points, the transmission angle μ is zero: cos μ is v/l or e/√v.
 
 use std::f64::consts::{PI, TAU};
 
@@ -25,7 +25,7 @@ pub(super) struct Driven {
     pub(super) is_free: bool,
 }
 
-/// The first dyad.
+/// The first dyad, which is driven.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Input {
     /// The crank from a pivot to the point of the body, with its length.
@@ -40,7 +40,7 @@ enum Input {
     Block,
 }
 
-/// The second dyad, seen from B.
+/// The second dyad, with its length or offset from B.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Follower {
     /// The point of the body moves on a line.
@@ -55,7 +55,7 @@ enum Follower {
         along: Vector,
         offset: f64,
     },
-    /// After a block: the linkage closes at every angle of the body, with this transmission angle.
+    /// A second block after a block: the linkage closes at every angle of the body, with this transmission angle.
     Linear { transmission: f64 },
 }
 
@@ -139,7 +139,8 @@ impl Driven {
         }
     }
 
-    /// The arcs on which the linkage closes, and whether they have no ends. None if they do not depend on the input.
+    /// The arcs of the input on which the linkage closes, and true if they have no dead points. None if closing does
+    /// not depend on the input.
     fn closing(&self) -> Option<(Vec<[f64; 2]>, bool)> {
         let always = [f64::NEG_INFINITY, f64::INFINITY];
         Some(match (self.input, self.follower) {
@@ -295,8 +296,8 @@ impl Driven {
     }
 }
 
-/// The angles at which the cosine of the angle to a direction is within limits: one or two arcs, or a whole turn, and
-/// then true.
+/// Arcs of angles whose difference from the angle of a direction has a cosine within limits: one, two, or a whole turn.
+/// The flag is true for a whole turn.
 fn around(direction: Vector, [low, high]: [f64; 2]) -> (Vec<[f64; 2]>, bool) {
     let middle = angle(direction);
     let [near, far] = [high, low].map(|cosine| cosine.clamp(-1.0, 1.0).acos());

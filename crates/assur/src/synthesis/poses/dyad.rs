@@ -3,7 +3,7 @@
 use super::task::{Place, Task, Triple};
 use crate::{Point, Vector, perpendicular};
 
-/// A guide of the body. Points of the body are given by their places in the first pose.
+/// A dyad that guides the body. Points of the body are given by their places in the first pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dyad {
     /// RR: a link hinged to the frame and to the body, whose point moves on a circle.
@@ -66,7 +66,7 @@ impl Dyad {
         }
     }
 
-    /// Name of the dyad in files and program output: its pairs, that on the frame first for PR.
+    /// Name of the dyad in files and program output: its two pairs, that on the frame first.
     pub fn code(&self) -> &'static str {
         match self {
             Self::Hinges { .. } => "RR",
@@ -75,8 +75,8 @@ impl Dyad {
         }
     }
 
-    /// The greatest distance by which a pose of the task is missed: of the body's point from its circle or line, or of
-    /// the pivot from the line of the body.
+    /// The greatest distance over the poses of the task: of the body's point from its circle or line or, for a block,
+    /// of the pivot from the line of the body.
     pub fn residual(&self, task: &Task) -> f64 {
         let poses = 0..task.poses().len();
         let off = poses.map(|k| match *self {
@@ -94,7 +94,7 @@ impl Dyad {
         off.fold(0.0, f64::max)
     }
 
-    /// True if another dyad guides the body in the same way, within a part of a size.
+    /// True if another dyad guides the body in the same way, within a tolerance of length.
     pub(super) fn is_same(&self, other: &Self, tolerance: f64) -> bool {
         let same = |a: Place, b: Place| match (a, b) {
             (Place::Finite(a), Place::Finite(b)) => (a - b).norm() <= tolerance,

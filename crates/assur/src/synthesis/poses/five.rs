@@ -7,8 +7,9 @@
 //! infinity and a conic, and the four common points of both conics are the centre points.
 //!
 //! The same holds for W, with the matrices transposed. If a pair slides on the frame, three of the four circle points
-//! are in line, and the conics of W share this line; if one slides on the body, those of C do. So both planes are
-//! solved. Newton's method removes the rounding errors, and is also tried from fixed starts if pairs are missing.
+//! are in line, and the conics of W share this line. If a pair slides on the body, the conics of C share a line. So the
+//! conics of both are solved. Newton's method removes the rounding errors; if pairs are missing, it is also tried from
+//! fixed starts.
 
 use nalgebra::{Complex, DMatrix, Matrix3, Matrix4, Schur, Vector4};
 
@@ -23,7 +24,7 @@ use crate::tolerance;
 const MAX_QR_ITERATIONS: usize = 60;
 /// Number of pairs of five poses in general position, complex ones included.
 const PAIRS: usize = 4;
-/// Starts of Newton's method if a pair is missing.
+/// Number of starts of Newton's method if a pair is missing.
 const STARTS: usize = 48;
 
 /// The pairs of circle point and centre point of five poses.
@@ -33,9 +34,9 @@ pub struct Burmester {
     pub dyads: Vec<Dyad>,
     /// Number of pairs that are not real.
     pub complex: usize,
-    /// True if all four pairs are found, multiple ones counted as often as they occur.
+    /// True if four pairs are found, or fewer of which one is multiple, and the pairs are isolated.
     pub complete: bool,
-    /// True if the pairs are not isolated: the poses are special, and more dyads guide the body than are listed.
+    /// True if the pairs are not isolated, because the poses are special. More dyads guide the body than are listed.
     pub family: bool,
 }
 
@@ -74,7 +75,7 @@ struct Found {
 }
 
 impl Found {
-    /// Adds a pair and its conjugate after Newton's method.
+    /// Refines a pair by Newton's method and adds it, with its conjugate, if it is new.
     fn add(&mut self, start: Option<Pair>) {
         let Some(pair) = start.and_then(|start| start.polished(&self.conditions)) else {
             return;
@@ -91,7 +92,7 @@ impl Found {
 
     /// Tries starts spread evenly over the complex triples.
     fn search(&mut self) {
-        // Multiples of the golden ratio's powers modulo 1 are spread evenly.
+        // Multiples of the golden ratio modulo 1 are spread evenly.
         let spread = |k: usize| (k as f64 * 0.618_033_988_749_894_9).fract() - 0.5;
         for start in 0..STARTS {
             let z = |k: usize| C::new(spread(6 * start + 2 * k + 1), spread(7 * start + 3 * k + 2));
@@ -129,7 +130,7 @@ impl Found {
     }
 }
 
-/// Two conics through the centre points, as symmetric matrices in turned axes.
+/// Two conics through the centre points, as symmetric matrices in rotated axes ([`axes`]).
 struct Conics {
     conics: [Matrix3<f64>; 2],
     /// Coefficients of the resultant, a quartic in x for t = 1, ascending; the greatest has magnitude 1.
@@ -137,7 +138,8 @@ struct Conics {
     degenerate: bool,
 }
 
-/// A rotation to axes in which no point at infinity of the task's own axes has a special place: rows are (2, 3, 6)/7, (6, 2, −3)/7, (3, −6, 2)/7.
+/// Rotation of homogeneous coordinates to axes in which no point at infinity of the task's axes has a special position.
+/// Its rows are (2, 3, 6)/7, (6, 2, −3)/7 and (3, −6, 2)/7.
 fn axes() -> Matrix3<f64> {
     Matrix3::new(2.0, 3.0, 6.0, 6.0, 2.0, -3.0, 3.0, -6.0, 2.0) / 7.0
 }
@@ -170,7 +172,7 @@ impl Conics {
             );
             axes.transpose() * conic * axes
         });
-        // The second is made perpendicular to the first, so that the resultant does not vanish by rounding.
+        // The second matrix is made perpendicular to the first, so that the resultant does not vanish by rounding.
         let mut degenerate = false;
         for k in 0..2 {
             let size = conics[k].norm();
@@ -193,8 +195,8 @@ impl Conics {
         }
     }
 
-    /// True if the pairs are not isolated: a point at infinity, or of a part that the conics share, belongs to a pair
-    /// although it is on an arbitrary line.
+    /// True if the pairs are not isolated. An arbitrary point at infinity, or an arbitrary point of a part that both
+    /// conics share, then belongs to a pair.
     fn is_family(&self, conditions: &[Matrix3<f64>; 4]) -> bool {
         let belongs = |point: ComplexTriple| {
             let pair = Pair::of_centre(conditions, point);
@@ -210,7 +212,7 @@ impl Conics {
         belongs(ComplexTriple::from(infinite)) || self.degenerate && shared().any(belongs)
     }
 
-    /// The common points, and perhaps some others.
+    /// The common points of both conics, and perhaps other points.
     fn common_points(&self) -> Vec<ComplexTriple> {
         let axes = axes().map(|x| Complex::new(x, 0.0));
         let mut found = Vec::new();
@@ -231,7 +233,8 @@ impl Conics {
         })
     }
 
-    /// y of the common point at x: the common root of both quadratics, or else the roots of the first.
+    /// y of the common point at x: the common root of both quadratics or, if it is not determined, the roots of the
+    /// first.
     fn ordinates(&self, x: C) -> Vec<C> {
         let [[a, b, c], [d, e, f]] = self.quadratics(x);
         let (above, below) = (c * d - a * f, a * e - b * d);
@@ -252,7 +255,7 @@ impl Conics {
         } else {
             one
         };
-        // Of each root the form without cancellation.
+        // Each root is computed by the form without cancellation.
         let found = [far / (2.0 * a), 2.0 * c / far].into_iter();
         found
             .filter(|y| y.re.is_finite() && y.im.is_finite())
@@ -260,7 +263,7 @@ impl Conics {
     }
 }
 
-/// Resultant of two conics by y, a quartic in x for t = 1, ascending.
+/// Resultant of two conics with respect to y: a quartic in x for t = 1, with ascending coefficients.
 fn resultant([p, q]: &[Matrix3<f64>; 2]) -> [f64; 5] {
     let minor = |a: &[f64], b: &[f64], c: &[f64], d: &[f64]| -> [f64; 5] {
         let mut product = [0.0; 5];
@@ -289,7 +292,7 @@ fn resultant([p, q]: &[Matrix3<f64>; 2]) -> [f64; 5] {
 
 /// All roots of a quartic with coefficients in ascending order, as eigenvalues of its companion matrix.
 fn roots(coefficients: [f64; 5]) -> Vec<C> {
-    // With the reversed polynomial a small leading coefficient does no harm.
+    // If the leading coefficient is small, the reversed polynomial is more accurate.
     let reversed = coefficients[4].abs() < coefficients[0].abs();
     let mut terms = coefficients;
     if reversed {
@@ -313,7 +316,7 @@ fn roots(coefficients: [f64; 5]) -> Vec<C> {
         .collect()
 }
 
-/// Orthonormal basis of two vectors, in order; an arbitrary unit vector stands for one that depends on those before it.
+/// Orthonormal basis of two vectors, in order. An arbitrary unit vector replaces a vector that depends on the other.
 fn basis(given: [Vector4<f64>; 2]) -> [Vector4<f64>; 2] {
     let mut basis: Vec<Vector4<f64>> = Vec::new();
     for vector in given {
@@ -324,7 +327,7 @@ fn basis(given: [Vector4<f64>; 2]) -> [Vector4<f64>; 2] {
     }
     for k in 0..4 {
         let rest = remainder(Matrix4::identity().column(k).into_owned(), basis.iter());
-        // With one vector given, the longest of four such rests has a norm of at least √¾.
+        // If one vector is in the basis, the longest of the four remainders has a norm of at least √¾.
         if basis.len() < 2 && rest.norm() > 0.5 {
             basis.push(rest.normalize());
         }

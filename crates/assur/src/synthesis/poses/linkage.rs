@@ -12,16 +12,15 @@ use crate::{Point, Vector};
 /// A body on two dyads, driven by the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linkage {
-    /// The dyads, the driving one first: a crank if there is one, otherwise a slider on the frame.
+    /// The dyads, the driving one first: a crank if there is one, otherwise a slider on the frame, otherwise a block.
     pub dyads: [Dyad; 2],
     /// The verdict, or the reason why the dyads form no linkage.
     pub verdict: Result<Verdict, LinkageError>,
 }
 
 impl Linkage {
-    /// The linkage of two dyads. Of two cranks that one drives which passes through the poses without a break, in
-    /// order, turning fully, with the greater transmission angle; the first of these properties decides in which the
-    /// cranks differ.
+    /// The linkage of two dyads. If both dyads are of the same kind, the one that drives better is taken as the driving
+    /// one: by the passage through the poses, then by order, by full turn, and by the transmission angle.
     pub fn new(task: &Task, dyads: [Dyad; 2]) -> Self {
         let rank = |dyad: &Dyad| match dyad {
             Dyad::Hinges { .. } => 0,
@@ -67,7 +66,8 @@ impl Linkage {
         ]
     }
 
-    /// The least and the greatest length of the links; None if none has a length.
+    /// The least and the greatest length of the links, frame and coupler included; None if the least is zero. If no
+    /// link has a length, they are +∞ and −∞.
     pub(super) fn lengths_of(dyads: &[Dyad; 2]) -> Option<[f64; 2]> {
         let mut lengths = Vec::new();
         for dyad in dyads {
@@ -93,8 +93,8 @@ impl Linkage {
     /// The links are `coupler`, the guided body, and for the first dyad `crank`, `slider` or `block`, for the second
     /// `rocker`, `slider` or `block`, with a 2 if both have the same name. A and D are the hinges on the frame, B and C
     /// those on the body. A slider moves on the line through two points E and F of the frame (of the second dyad G and
-    /// H); a block slides along the line through two points with these names of the body. P is the body's origin,
-    /// unless it is at another of its points.
+    /// H); a block slides along the line through two points with these names of the body. P is the body's origin; it is
+    /// left out if the origin is at another of these points.
     pub fn spec(&self, task: &Task, pose: usize) -> LinkageSpec {
         let pose = if pose < task.poses().len() { pose } else { 0 };
         let size = self.size(task);
@@ -188,8 +188,8 @@ impl Linkage {
         }
     }
 
-    /// Range of the slider's place over all poses, from its place in the first one, with a tenth of the size more on
-    /// either side as far as the linkage closes.
+    /// Range of the slider over all poses, measured from its place in the first pose. It is extended on either side by
+    /// a tenth of the size, as far as the linkage closes.
     fn range(&self, task: &Task, size: f64) -> [f64; 2] {
         let Ok(driven) = super::driven::Driven::new(self.dyads, task.unit()) else {
             return [-size, size];
@@ -207,7 +207,7 @@ impl Linkage {
         [from.max(low + inner), to.min(high - inner)]
     }
 
-    /// The greatest distance between points of the linkage and of the poses.
+    /// Diagonal of the bounding box of the points of the linkage and of the poses.
     fn size(&self, task: &Task) -> f64 {
         let poses = task.poses().iter().map(|pose| pose.place());
         let points = self

@@ -2,8 +2,9 @@
 //!
 //! A circle point is a point of the body, given by its place in the first pose, whose places in all poses lie on a
 //! circle; its centre is the centre point. For a given C each pose but the first gives a linear condition on W, whose
-//! coefficients are MC: a line for two poses (the perpendicular bisector), a point for three (the images of C, seen
-//! from the body, have one circle), none in general for more.
+//! coefficients are MC. For two poses W is on a line, the perpendicular bisector of the two images of C as seen from
+//! the body. For three poses W is a point, the centre of the circle through three such images. For more poses there is
+//! no W in general.
 
 use super::task::{Place, Task, Triple};
 use crate::tolerance;
@@ -28,15 +29,15 @@ pub enum Locus {
 }
 
 impl Task {
-    /// Circle points of a centre point. A centre at infinity is perpendicular to the line on which its circle points
-    /// move.
+    /// Circle points of a centre point. A centre at infinity is given by the direction perpendicular to the line on
+    /// which its circle points move.
     pub fn circle_points(&self, centre: Place) -> Locus {
         let centre = self.triple(centre);
         self.locus(self.displacements().iter().map(|one| one.matrix() * centre))
     }
 
-    /// Centre points of a circle point. A circle point at infinity is perpendicular to the lines of the body that pass
-    /// through its centre points in all poses.
+    /// Centre points of a circle point. A circle point at infinity is given by the direction perpendicular to the lines
+    /// of the body that pass through its centre points in all poses.
     pub fn centre_points(&self, point: Place) -> Locus {
         let point = self.triple(point);
         self.locus((self.displacements().iter()).map(|one| one.matrix().tr_mul(&point)))
@@ -119,13 +120,13 @@ pub(super) fn common(conditions: &[Triple]) -> Common {
         return Common::Line(line);
     }
     let one = one.normalize();
-    // A bound on a number that is zero in exact arithmetic, after the solution of a cubic or a quartic.
+    // The scalar products are zero in exact arithmetic; the bound allows for the solution of a cubic or a quartic.
     let met = (conditions.iter()).all(|next| next.dot(&one).abs() <= tolerance::COINCIDENT);
     if met { Common::One(one) } else { Common::None }
 }
 
-/// The triple nearest to being perpendicular to all given ones: the longest of their vector products. None if all are
-/// multiples of one.
+/// The triple that is most nearly perpendicular to all given ones: the longest of their vector products. None if all
+/// given ones are multiples of one.
 pub(super) fn nearly_common(conditions: &[Triple]) -> Option<Triple> {
     let mut best = Triple::zeros();
     for (k, a) in conditions.iter().enumerate() {

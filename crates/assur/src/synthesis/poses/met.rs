@@ -9,13 +9,13 @@ use crate::Vector;
 use crate::angle::nearest_to;
 use crate::motion::Motion;
 
-/// Greatest distance between a point of the moving body and its place in the pose, as a part of the body's size. Next
-/// to a dead point the motion halves the digits of the input.
+/// Greatest distance between a point of the moving body and its place in the pose, relative to the body's size. Next to
+/// a dead point the input has only half of the digits.
 const MET: f64 = 1e-6;
 
 impl Linkage {
-    /// The inputs at which a motion of the linkage meets the poses; None for a pose that it does not meet, because it is
-    /// on another circuit or beyond a dead point.
+    /// The inputs at which a motion of the linkage meets the poses; None for a pose that it does not meet, because it
+    /// is on another circuit or beyond a dead point.
     ///
     /// The motion must be that of [`Linkage::spec`], drawn in the first pose.
     pub fn inputs(&self, task: &Task, motion: &Motion) -> Vec<Option<f64>> {
@@ -38,7 +38,7 @@ impl Linkage {
         }
     }
 
-    /// The input nearest to the drawn one at which the body is in a pose; `near` is this input but for whole turns.
+    /// The input nearest to the drawn one at which the body is in a pose; `near` differs from it only by whole turns.
     fn met(&self, task: &Task, motion: &Motion, pose: usize, near: f64) -> Option<f64> {
         let (mechanism, cycle) = (motion.mechanism(), motion.cycle());
         let drawn = motion.pose::<1>(motion.drawn_input()).ok()?;
@@ -91,8 +91,8 @@ mod tests {
     use crate::synthesis::poses::{Pose, Solutions, Wanted};
     use crate::{Assembly, FourBar, Point};
 
-    /// Crank 2, coupler 5, rocker 4, frame 5: poses of the coupler at these angles of the crank in these assemblies, and
-    /// the inputs at which the linkage with the same pivots meets them.
+    /// Crank 2, coupler 5, rocker 4, frame 5: poses of the coupler at these angles of the crank in these assemblies,
+    /// and the inputs at which the linkage with the same pivots meets them.
     fn met(places: [(f64, Assembly); 3]) -> Vec<Option<f64>> {
         let linkage = FourBar::new([2.0, 5.0, 4.0, 5.0]).unwrap();
         let poses = places.map(|(crank, assembly)| Pose {

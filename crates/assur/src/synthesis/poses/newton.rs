@@ -9,7 +9,7 @@ use crate::tolerance;
 pub(super) type C = Complex<f64>;
 pub(super) type ComplexTriple = Vector3<C>;
 
-/// A circle point W and its centre point C, complex in general; triples of norm 1.
+/// A circle point W and its centre point C, as triples of norm 1, complex in general.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pair {
     pub(super) point: ComplexTriple,
@@ -17,7 +17,7 @@ pub(super) struct Pair {
 }
 
 impl Pair {
-    /// The pair with this centre point, whose circle point meets the conditions best; None if it is undetermined.
+    /// The pair of a centre point and the circle point that meets the conditions best; None if this is undetermined.
     pub(super) fn of_centre(conditions: &[Matrix3<f64>], centre: ComplexTriple) -> Option<Self> {
         let rows: Vec<ComplexTriple> = (conditions.iter())
             .map(|one| product(one, &centre))
@@ -64,7 +64,7 @@ impl Pair {
             |change, last| is_exact(change, last) || change < tolerance::EXACT,
         );
         let met = self.residual(conditions) <= tolerance::NEGLIGIBLE;
-        // At a double pair the steps shrink only by halves, and end at half of the digits.
+        // At a double pair each step is only half of the one before, and half of the digits are lost.
         let near = steps.is_ok() || last <= tolerance::TRIPLE_ROOT;
         (met && near).then_some(self)
     }
@@ -75,8 +75,8 @@ impl Pair {
         conditions.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// The linear equations of a step: for W and C the real and imaginary parts of four conditions, and of a step
-    /// perpendicular to W and to C.
+    /// The linear equations for a step of W and C: real and imaginary parts of the four conditions, then of the
+    /// requirements that the steps are perpendicular to W and to C.
     fn equations(&self, conditions: &[Matrix3<f64>; 4]) -> ([[f64; 12]; 12], [f64; 12]) {
         let mut matrix = [[0.0; 12]; 12];
         let mut right = [0.0; 12];

@@ -18,11 +18,11 @@ const SAMPLES: usize = 16;
 /// Reach of the search for dyads of four poses, in diagonals of the box around the poses.
 const REACH: f64 = 2.0;
 
-/// Wanted points and regions of the hinges. An empty one wants nothing.
+/// Wanted points and regions of the hinges. An empty list and an absent region require nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wanted {
-    /// Hinges on the frame. For up to three poses each gives a dyad; for four, the nearest point of the centre-point
-    /// curve does; for five, only dyads with a hinge there are listed.
+    /// Hinges on the frame. For up to three poses each gives a dyad. For four poses the nearest point of the
+    /// centre-point curve gives it. For five poses only dyads with one of these hinges are listed.
     pub pivots: Vec<Point>,
     /// Hinges on the body, by their places in the first pose, used in the same way.
     pub points: Vec<Point>,
@@ -32,10 +32,10 @@ pub struct Wanted {
     pub point_region: Option<[Point; 2]>,
 }
 
-/// The dyads that guide the body through the poses of a task, and the linkages of each two of them.
+/// The dyads that guide the body through the poses of a task, and the linkages of all pairs of dyads.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solutions {
-    /// What is special about the poses.
+    /// Special case of the poses; None if they are in general position.
     pub special: Option<Special>,
     /// Number of coordinates of a dyad that the poses leave free: 3 for two poses, 0 for five.
     pub freedoms: usize,
@@ -94,7 +94,7 @@ impl Solutions {
         true
     }
 
-    /// Dyads of wanted points, if the poses give a point for each.
+    /// Adds a dyad for each wanted point, for up to three poses or special ones.
     fn few(&mut self, task: &Task, wanted: &Wanted) {
         let near = task.poses()[0].place();
         let mut all = !wanted.pivots.is_empty() || !wanted.points.is_empty();
@@ -111,7 +111,7 @@ impl Solutions {
         self.complete = all || self.special == Some(Special::Parallel);
     }
 
-    /// Dyads of four poses: both slides, and the points of the curves nearest to the wanted points.
+    /// Adds dyads for four poses: both slides, and the points of the curves nearest to the wanted points.
     fn four(&mut self, task: &Task, wanted: &Wanted) {
         for kind in [Kind::Centre, Kind::Circle] {
             if let Some([at, partner]) = Curve::infinite(task, kind) {
@@ -170,7 +170,7 @@ impl Solutions {
     }
 
     /// Sorts the linkages, the best first: by the number of failed requirements, then by the criterion; stable. Both
-    /// criteria of transmission stand for that between the poses.
+    /// criteria of transmission use the transmission angle between the poses.
     pub fn rank(&mut self, task: &Task, requirements: &Requirements, criterion: Criterion) {
         sort_by_key(&mut self.linkages, |linkage| Key {
             unmet: linkage.unmet(requirements).len(),
@@ -180,7 +180,8 @@ impl Solutions {
 }
 
 impl Linkage {
-    /// Requirements that the linkage fails; empty if it is acceptable. A Grashof type is one of four-bars only.
+    /// Requirements that the linkage fails; empty if it is acceptable. Only a four-bar can have a required Grashof
+    /// type.
     pub fn unmet(&self, requirements: &Requirements) -> Vec<Requirement> {
         let Ok(verdict) = &self.verdict else {
             return vec![Requirement::Linkage];
@@ -217,7 +218,8 @@ impl Linkage {
 }
 
 impl Wanted {
-    /// True if the hinges of a dyad are within the regions. A slide has no hinge to be within a region.
+    /// True if the hinges of a dyad are within the regions. Where a dyad slides, it has no hinge, and no region
+    /// applies.
     fn holds(&self, dyad: &Dyad) -> bool {
         let within = |place: Place, region: Option<[Point; 2]>| match (place, region) {
             (Place::Finite(point), Some([a, b])) => (0..2).all(|k| {
@@ -230,7 +232,7 @@ impl Wanted {
     }
 }
 
-/// A point of a locus: of a line, or of all points, the one nearest to a given point.
+/// A point of a locus; if there are several, the one nearest to a given point.
 fn one_of(locus: Locus, near: Point) -> Option<Place> {
     match locus {
         Locus::Any => Some(Place::Finite(near)),

@@ -1,4 +1,4 @@
-//! Poses for which the dyads are no isolated ones: rotations about one pole, and parallel poses.
+//! Special poses, for which dyads are not isolated: rotations about one pole, and parallel poses.
 
 use super::locus::{Common, common};
 use super::task::{Task, Triple};
@@ -16,8 +16,8 @@ pub enum Special {
         /// The common pole.
         pole: Point,
     },
-    /// All poses are parallel, and the body's origin stays on a line: a slide along it guides the body. So does each
-    /// pair of equal parallel links, if there are two distinct poses.
+    /// All poses are parallel, and the body's origin stays on a line: a slide along this line guides the body. If there
+    /// are only two distinct poses, each pair of equal parallel links also guides it.
     Line {
         /// Unit vector along the line.
         along: Vector,
@@ -33,7 +33,7 @@ pub enum Special {
 }
 
 impl Task {
-    /// What is special about the poses; None if they are in general position. Tolerance 10⁻¹² of the task's size.
+    /// Special case of the poses, within 10⁻¹² of the task's size; None if they are in general position.
     pub fn special(&self) -> Option<Special> {
         let all = self.displacements();
         if all.is_empty() {
@@ -42,7 +42,7 @@ impl Task {
         if all.iter().any(|one| one.turn_size() > NEGLIGIBLE) {
             return self.common_pole().map(|pole| Special::Rotation { pole });
         }
-        // w + d stays at the distance of w from w + m if d·m = |d|²/2.
+        // The points w and w + d are at equal distances from w + m if d·m = |d|²/2.
         let conditions: Vec<Triple> = (all.iter())
             .map(|one| Triple::new(one.shift.re, one.shift.im, -0.5 * one.shift.norm_sqr()))
             .map(|condition| condition.normalize())

@@ -60,7 +60,7 @@ pub struct Task {
     order: Vec<usize>,
     /// Mean of the places of the body's origin.
     origin: Vector,
-    /// Length by which coordinates are divided, so that the coefficients of all equations have like magnitudes.
+    /// Length by which coordinates are divided, so that the coefficients of all equations have similar magnitudes.
     unit: f64,
     /// Displacements from the first pose to the other distinct poses, in the unit of the task.
     displacements: Vec<Displacement>,
@@ -185,14 +185,14 @@ impl Task {
         self.unit
     }
 
-    /// The point of the body that is at `point` in the first pose, in pose `k`.
+    /// Place in pose `k` of the point of the body that is at `point` in the first pose.
     pub fn carried(&self, point: Point, k: usize) -> Point {
         let (from, to) = (&self.poses[0], &self.poses[k]);
         let arm = complex(point - from.place()) * from.turn().conj() * to.turn();
         to.place() + Vector::new(arm.re, arm.im)
     }
 
-    /// A direction of the body in the first pose, in pose `k`.
+    /// Direction in pose `k` of a line of the body that has a given direction in the first pose.
     pub(super) fn turned(&self, direction: Vector, k: usize) -> Vector {
         let turn = self.poses[0].turn().conj() * self.poses[k].turn();
         let turned = complex(direction) * turn;
@@ -224,7 +224,7 @@ pub(super) fn complex(vector: Vector) -> Complex<f64> {
     Complex::new(vector.x, vector.y)
 }
 
-/// True if poses are equal within 10⁻¹² of a radian, apart from whole turns, and of the size of the task.
+/// True if poses are equal: in angle within 10⁻¹² rad, apart from whole turns, and in place within 10⁻¹² of the size.
 fn is_same(a: &Pose, b: &Pose, size: f64) -> bool {
     let turn = (0.5 * (a.angle - b.angle)).sin().abs();
     turn <= 0.5 * tolerance::NEGLIGIBLE

@@ -21,7 +21,7 @@ pub enum Mechanism {
     DoubleSlider,
     /// PR and RP.
     SliderBlock,
-    /// RP and RP: its inversion, as in Oldham's coupling.
+    /// RP and RP: the inversion of the elliptic trammel, as in Oldham's coupling.
     DoubleBlock,
 }
 
@@ -37,8 +37,8 @@ pub struct Verdict {
     /// True if the link or block of the first dyad turns fully.
     pub turns: bool,
     /// Minimum transmission angle of the motion from the first pose to the last, 0 … π/2; none if the linkage does not
-    /// pass through all of them. Of a slider on the frame it is the angle between the coupler and the normal of the
-    /// line; of a block, between the line from hinge to pivot and the normal of the body's line.
+    /// pass through all of them. For a slider on the frame it is the angle between the coupler and the normal of the
+    /// line; for a block, the angle between the line from hinge to pivot and the normal of the body's line.
     pub transmission: Option<f64>,
     /// Ratio of the greatest to the least length of the links, the frame included. A slider has no length; the frame of
     /// a linkage with a slider on it has none either.

@@ -19,7 +19,7 @@ fn slider_cranks() {
     };
     let turning = of(2.0);
     assert!(turning.is_free);
-    // Farthest from the line at −90°: 1.5 of 2.
+    // The crank pin is farthest from the line at −90°: 1.5, with a rod of 2.
     let least = turning.least_transmission([-PI, PI]);
     assert!((least - 0.75_f64.acos()).abs() < 1e-14);
     let swinging = of(1.0);
@@ -45,7 +45,7 @@ fn an_inverted_slider_crank() {
         pivot: Point::new(4.0, 0.0),
         along,
     };
-    // The line through (4, 0) along (4, −3)/5 passes through B; across it the offset is the distance, 5.
+    // The line through (4, 0) along (4, −3)/5 passes through B. A line across it has the whole distance 5 as offset.
     let through = Driven::new([crank, block(Vector::new(0.8, -0.6))], 1.0).unwrap();
     assert!(through.is_free && (through.least_transmission([0.0, TAU]) - PI / 2.0).abs() < 1e-12);
     let across = Driven::new([crank, block(Vector::new(0.6, 0.8))], 1.0).unwrap();
