@@ -10,8 +10,8 @@ use crate::tolerance;
 /// Tolerance of poses at a fold, relative to the linkage's size: ten times the square root of the input's tolerance.
 /// Near a fold the change of the pose is proportional to the square root of the change of the input.
 const FOLD_TOLERANCE: f64 = 1e-2;
-/// Maximum distance from an unmatched end of a branch, relative to the domain's span, at which the search for the other
-/// branch starts.
+/// Maximum distance of the input from an unmatched end of a branch, relative to the domain's span, at which the search
+/// for the other branch at this end starts.
 const MAX_INWARD_OFFSET: f64 = 1e-4;
 
 #[derive(Default)]
