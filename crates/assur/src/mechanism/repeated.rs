@@ -15,9 +15,9 @@ impl Mechanism {
         })
     }
 
-    /// Distance between two poses: the greatest turn (radians, if small) or displacement of a body. A displacement is
-    /// relative to the greater of the linkage's size and the body's distance from the origin. Wheels that move nothing
-    /// else do not count.
+    /// Distance between two poses: the greatest rotation (radians, if small) or displacement of a body. A displacement
+    /// is relative to the linkage's size or, if greater, to the body's distance from the origin. Wheels that move
+    /// nothing else do not count.
     pub(crate) fn distance<const N: usize, const M: usize>(&self, a: &Pose<N>, b: &Pose<M>) -> f64 {
         let bodies = self.bodies();
         let bodies = bodies.filter(|body| !self.layout.is_idle_wheel(*body));
@@ -71,7 +71,7 @@ impl Layout {
     }
 }
 
-/// Turn (radians if small) and displacement of a body between two poses.
+/// Rotation (radians if small) and displacement of a body between two poses.
 fn off<const N: usize, const M: usize>(a: &State<N>, b: &State<M>, body: BodyId) -> [f64; 2] {
     let turned = a.bodies[body].turn.value() - b.bodies[body].turn.value();
     let moved = a.bodies[body].origin.value() - b.bodies[body].origin.value();
