@@ -78,7 +78,7 @@ impl Scheme {
                         PowerForm::from_iterator(bears.len(), powers)
                     })
                 });
-                // A change helps only if the forms of its added freedoms are independent. The forms of existing
+                // A change is useful only if the forms of its added freedoms are independent. The forms of existing
                 // freedoms are zero and drop out.
                 let added = change.kind.freedoms() - self.pairs()[pair].kind.freedoms();
                 let forms = independent(&[], powers);
