@@ -6,7 +6,7 @@ use crate::mechanism::{Assembled, LoopOpen, NoNeighbour, Setting};
 /// Maximum length of a step that, if it fails, is tried again at another input. A longer step that fails is halved.
 /// Lengths are relative to the range of the changed dimension.
 const MIN_STEP: f64 = 1.0 / 1024.0;
-/// Number of tried steps after which a failed step ends the path, unless moving the input helps.
+/// Number of tried steps after which a failed step ends the path, unless it succeeds at another input.
 const MAX_TRIES: usize = 200;
 
 /// The part of a path followed so far. Lengths are relative to the range of the changed dimension, so the path of a

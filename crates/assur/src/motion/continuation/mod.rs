@@ -176,8 +176,8 @@ impl<'a> Continuation<'a> {
                 if tried >= short {
                     searched_at = short;
                 }
-                // After a failed step of a dyad, longer steps wait for several successes, because they would soon fail
-                // again. A group need not wait: the enclosure gives the length that can be certified.
+                // After a failed step of a dyad a longer one is tried only after several successes, because it would
+                // soon fail again. For a group the enclosure gives the length that can be certified.
                 successes += 1;
                 if successes >= STEPS_BEFORE_LONGER {
                     let longer = (STEP_SAFETY * self.enclosure.ease()).min(2.0) * tried;
