@@ -63,7 +63,7 @@ fn closed_forms() {
     assert!((q[3] - end.powi(7) / 42.0).abs() < 1e-9 * q[3]);
 }
 
-/// Steps found by their error: a pendulum from rest, over many swings, keeps its energy.
+/// With adaptive steps a pendulum that starts from rest keeps its energy over many swings.
 #[test]
 fn adaptive_steps() {
     let (mut q, mut v, mut time, mut count) = (2.5_f64, 0.0_f64, 0.0_f64, 0);
