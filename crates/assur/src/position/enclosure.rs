@@ -145,7 +145,8 @@ impl Enclosure {
         }
     }
 
-    /// True if a group ends the step of the input within its enclosure; always true for other steps of the plan.
+    /// True if the solution of a group at the end of the step is within its enclosure. True for any other step of the
+    /// plan.
     pub(crate) fn holds(
         &self,
         step: StepId,

@@ -51,7 +51,7 @@ impl Group {
     ) -> Result<f64, Cause> {
         let work = &mut state.work;
         self.evaluate_forms(work);
-        // The first derivatives are solved for together with each correction; the derivatives of the last step are
+        // Each linear system gives a correction and the first derivatives. Only the derivatives of the last step are
         // used.
         for (residual, equation) in work.residual.iter_mut().zip(&self.equations) {
             let rate = if N > 1 {
