@@ -158,7 +158,7 @@ impl Pebbles {
             let Some(mut node) = self.search(nodes, giver) else {
                 return false;
             };
-            // Each node on the path takes over the constraint that the node before it paid for.
+            // Each node on the path pays for the constraint that the node before it paid for until now.
             while let Before::Node(before) = self.from[node] {
                 self.nodes[before].take_back(node);
                 self.nodes[node].pay(before);
