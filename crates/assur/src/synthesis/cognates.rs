@@ -148,7 +148,7 @@ impl CouplerFourBar {
         [first, second]
     }
 
-    /// The cognate with these places, whose size is |ratio| times that of this linkage.
+    /// The cognate on given pivots, with given joints. Its size is |ratio| times that of this linkage.
     fn cognate(
         &self,
         ratio: Complex<f64>,

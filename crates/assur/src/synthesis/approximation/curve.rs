@@ -40,7 +40,7 @@ pub(super) struct Curve {
     limits: [f64; 2],
 }
 
-/// The pose at a parameter.
+/// The pose at a value of τ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     /// A.
@@ -95,7 +95,7 @@ impl Curve {
         })
     }
 
-    /// The pose at a parameter.
+    /// The pose at a value of τ.
     pub(super) fn place(&self, tau: f64) -> Place {
         let (angle, rate) = match self.swing {
             Swing::Full => (tau, 1.0),

@@ -108,7 +108,8 @@ impl Draws {
         }
     }
 
-    /// A candidate near another: its unknowns changed by at most `step`, relative to their range.
+    /// A candidate near another: its unknowns changed by at most `step`, the start of its motion by at most twice as
+    /// much.
     pub(super) fn near(&mut self, shape: [f64; 5], of: &Candidate, step: f64) -> Candidate {
         for _ in 0..16 {
             let u = self.advance();

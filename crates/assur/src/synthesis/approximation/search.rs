@@ -13,7 +13,7 @@ use super::target::Target;
 use crate::sorting::sort_by;
 use crate::tolerance;
 
-/// The distance to be made small.
+/// Norm of the distances that is to be minimized.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Norm {
     /// The root mean square of the distances.
@@ -25,7 +25,7 @@ pub enum Norm {
 /// Requirements on the linkage that is sought.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted {
-    /// The distance to be made small.
+    /// Norm of the distances that is to be minimized.
     pub norm: Norm,
     /// True if four-bars are admitted.
     pub four_bars: bool,

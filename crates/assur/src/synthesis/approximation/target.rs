@@ -7,7 +7,7 @@ use crate::Point;
 use crate::numeric::max_abs;
 use crate::tolerance::{COINCIDENT, FARTHEST};
 
-/// What the points of a path mean.
+/// Meaning of the points of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
     /// Points to be passed in order; the path between them is free.
@@ -158,7 +158,7 @@ impl Target {
         &self.points
     }
 
-    /// What the points mean.
+    /// Meaning of the points.
     pub fn course(&self) -> Course {
         self.course
     }

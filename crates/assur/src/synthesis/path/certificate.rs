@@ -51,8 +51,8 @@ fn discs(at: &Dyads, radius: f64) -> Dyads<Disc> {
     std::array::from_fn(|k| Disc::new(at[k], radius * scales[k]))
 }
 
-/// The computed dyads, corrected, and the proof that the solution exists, is a linkage and has a curve of its own; None
-/// if there is no proof in this precision.
+/// Corrects the computed dyads, and proves that a solution exists near them, is a linkage and has a curve of its own.
+/// None if there is no proof in this precision.
 pub(super) fn certified(
     at: &Dyads,
     displacements: &Displacements<Wide>,
@@ -205,7 +205,7 @@ mod tests {
         displacements.map(|z| Wide::new(z, 0.0))
     }
 
-    /// The dyads from which the points were made are a solution. From a guess 10⁻⁷ away the same one is proved.
+    /// The dyads from which the points were made are a solution. It is proved from a guess at a distance of 10⁻⁷.
     #[test]
     fn a_known_solution_is_proved() {
         for seed in 0..20 {
@@ -220,7 +220,7 @@ mod tests {
         }
     }
 
-    /// Dyads far from a solution, and equal dyads, with which every equation holds.
+    /// Nothing is proved for dyads far from a solution, nor for two equal dyads, although these satisfy every equation.
     #[test]
     fn what_is_no_solution_is_not_proved() {
         let (at, displacements) = first(&mut Random(7));

@@ -116,7 +116,7 @@ mod tests {
     use crate::synthesis::path::alt::residuals;
     use crate::synthesis::path::monodromy::first;
 
-    /// Cognates solve the same equations, have the same invariants, and the third cognate of a cognate is the first.
+    /// Cognates solve the same equations and have the same invariants. The cognate of a cognate is the first four-bar.
     #[test]
     fn cognates_have_the_same_points_and_foci() {
         for seed in 0..20 {

@@ -106,7 +106,7 @@ mod tests {
         let near = |found: f64, expected: f64| found >= expected && found < expected + 1e-14;
         assert!(near((p * q).radius, 1.12));
         assert!(near((p + q).radius, 0.3) && near((p - q).radius, 0.3));
-        // 1/5 · 0.1/4.9.
+        // The radius of the reciprocal is 1/5 · 0.1/4.9.
         assert!(near(p.reciprocal().unwrap().radius, 0.1 / 24.5));
         assert_eq!(disc(0.0, 0.1, 0.1).reciprocal(), None);
     }

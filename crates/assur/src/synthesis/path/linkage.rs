@@ -34,7 +34,7 @@ pub struct PathFourBar {
 pub struct Cognates {
     /// Four-bars with the same curve. In each, the crank is the side whose verdict is better.
     pub four_bars: [PathFourBar; 3],
-    /// Relative bound on the distance between the computed coordinates and the exact ones: proved.
+    /// Proved bound on the relative error of the computed coordinates.
     pub error: f64,
 }
 
@@ -45,7 +45,7 @@ pub struct RankedFourBar {
     pub four_bar: PathFourBar,
     /// Number of its curve, from 1; its cognates share it.
     pub curve: usize,
-    /// Relative bound on the distance between the computed coordinates and the exact ones: proved.
+    /// Proved bound on the relative error of the computed coordinates.
     pub error: f64,
 }
 

@@ -21,7 +21,7 @@ pub struct NinePoints {
     scale: f64,
     /// Exact normalised displacements of the other points from the base.
     displacements: Displacements<Wide>,
-    /// False if a coordinate and its conjugate are independent.
+    /// True if the points are real; false for complex points, whose coordinates and conjugates are independent.
     real: bool,
 }
 
@@ -128,7 +128,7 @@ impl NinePoints {
         self.displacements
     }
 
-    /// False if a coordinate and its conjugate are independent.
+    /// True if the points are real; false for complex points, whose coordinates and conjugates are independent.
     pub(super) fn is_real(&self) -> bool {
         self.real
     }

@@ -283,7 +283,7 @@ fn resultant([p, q]: &[Matrix3<f64>; 2]) -> [f64; 5] {
         (a, b, c)
     };
     let ((a, b, c), (d, e, f)) = (parts(p), parts(q));
-    // (af − cd)² − (ae − bd)(bf − ce).
+    // The resultant is (af − cd)² − (ae − bd)(bf − ce).
     let ac = minor(&a, &c, &d, &f);
     let ab = minor(&a, &b, &d, &e);
     let bc = minor(&b, &c, &e, &f);
@@ -341,7 +341,7 @@ mod tests {
 
     use super::*;
 
-    /// (x − 1)(x − 2)(x² + 1), and with a root at infinity (x − 1)(x² + 1).
+    /// Roots of (x − 1)(x − 2)(x² + 1) and, with one root at infinity, of (x − 1)(x² + 1).
     #[test]
     fn roots_of_quartics() {
         for (coefficients, expected) in [

@@ -174,7 +174,7 @@ mod tests {
             "{through} {along}"
         );
         assert!((finite(two.pole(0, 1).unwrap()) - Point::new(1.0, 1.0)).norm() < 1e-14);
-        // The pole stays: every point is its centre.
+        // The point of the body at the pole does not move: every point is its centre point.
         assert_eq!(
             two.centre_points(Place::Finite(Point::new(1.0, 1.0))),
             Locus::Any

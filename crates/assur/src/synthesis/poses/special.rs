@@ -96,7 +96,7 @@ mod tests {
         assert_eq!(special(&general), None);
     }
 
-    /// About (3, −1) through 30°, 75° and 200°; the body's origin is 2 from there.
+    /// Rotations about (3, −1) through 30°, 75° and 200°; the body's origin is at a distance of 2 from this pole.
     #[test]
     fn rotations_about_one_pole() {
         let poses = [0.0_f64, 30.0, 75.0, 200.0].map(|degrees| {
@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(special(&[a, b, c, d]), None);
     }
 
-    /// Parallel poses on the circle of radius 5 about (3, 4), on a line, and neither.
+    /// Parallel poses with the body's origin on the circle of radius 5 about (3, 4), on a line, and on neither.
     #[test]
     fn parallel_poses() {
         let at = |places: &[[f64; 2]]| {

@@ -278,7 +278,7 @@ mod tests {
         );
     }
 
-    /// The point (1, 0) of the body goes to (5, 1) when the body's origin moves to (5, 0) and turns by 90°.
+    /// The point (1, 0) of the body goes to (5, 1) if the body's origin moves to (5, 0) and the body turns by 90°.
     #[test]
     fn a_carried_point() {
         let task = Task::new(&[pose(0.0, 0.0, 0.0), pose(5.0, 0.0, FRAC_PI_2)]).unwrap();

@@ -55,7 +55,7 @@ fn an_inverted_slider_crank() {
     assert!((from - PI / 2.0).abs() < 1e-7 && (to - 1.5 * PI).abs() < 1e-7);
 }
 
-/// Sliders on both axes, 5 apart: the first one reaches 5 on either side.
+/// Sliders on both axes, at a distance of 5 from each other: the first one moves up to 5 from the origin.
 #[test]
 fn a_double_slider() {
     let (point, along) = (Point::new(3.0, 0.0), Vector::x());
