@@ -158,8 +158,8 @@ mod tests {
         assert_eq!(jacobian, [[ZERO; 8]; 8]);
     }
 
-    /// A parallelogram with cranks of length 1 about 0 and 2, and hinges at i and 2 + i while the coupler point is at
-    /// 0. The coupler does not turn, and the point moves on a circle of radius 1 about −i.
+    /// A parallelogram with cranks of length 1 about 0 and 2, and hinges at i and 2 + i while the coupler point is in
+    /// the origin. The coupler does not turn, and the point moves on a circle of radius 1 about −i.
     #[test]
     fn a_parallelogram_moves_its_point_on_a_circle() {
         let i = C::new(0.0, 1.0);

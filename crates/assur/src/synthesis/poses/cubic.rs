@@ -177,7 +177,7 @@ impl Parallels {
         pairs.filter(real).collect()
     }
 
-    /// Ordinate y/w of one of the two points at X, as [y, w]; `sign` is +1 or −1.
+    /// Ordinate y/w of one of the two points at X, as `[y, w]`; `sign` is +1 or −1.
     pub(super) fn ordinate(&self, x: f64, sign: f64) -> [f64; 2] {
         let [a, b, c] = [value(&self.a, x), value(&self.b, x), value(&self.c, x)];
         let root = sign * (b * b - 4.0 * a * c).max(0.0).sqrt();
