@@ -56,8 +56,8 @@ impl Differential {
     }
 
     /// Maximum torque that can be slowly applied to a body, N·m, if the other two of sun, carrier and ring are held and
-    /// there is no other load. For the satellites it is the torque on all of them, with sun, carrier and ring held. The
-    /// pull-out torque of a run can be compared with this limit.
+    /// there is no other load. For the satellites: the torque on all satellites together, with sun, carrier and ring
+    /// held. The pull-out torque of a run can be compared with this limit.
     ///
     /// Let E be the amplitude of the energy of a mesh's field, and δ its phase. The torque on a wheel, divided by its
     /// number of periods, is E sin δ. If the satellites bear no load, E sin δ is the same in both meshes: the smaller E
