@@ -36,7 +36,7 @@ impl Grashof {
 }
 
 impl FourBar {
-    /// The Grashof type. It is a change point if |s + l − p − q| ≤ 8 ε (s + l), with the machine epsilon ε.
+    /// The Grashof type: [`Grashof::ChangePoint`] if |s + l − p − q| ≤ 8 ε (s + l), with the machine epsilon ε.
     pub fn grashof(&self) -> Grashof {
         let mut sorted = self.lengths;
         sort_by(&mut sorted, f64::total_cmp);
