@@ -27,7 +27,8 @@ pub struct Mounting {
 impl Train {
     /// Mounting angle of the ring for which teeth meet gaps at all satellites that can be
     /// [mounted](super::Differential::assembly). A tooth (or a plate) of the sun, and an inward tooth of the ring, are
-    /// centred on the zero directions of these wheels. For plates with like poles outward it is the angle without load.
+    /// centred on the zero directions of these wheels. For plates with like poles outward, the result is the angle of
+    /// the ring without load.
     pub fn ring_mounting(&self) -> f64 {
         self.ring_mounting_of(1)
     }

@@ -363,7 +363,7 @@ mod tests {
     }
 
     /// A speed that rises over 4 s. After 2 s it is half of the full speed, and the shaft has made as many turns as in
-    /// 0.5 s at full speed. From 4 s on, the turns are those of 2 s less at full speed.
+    /// 0.5 s at full speed. After t ≥ 4 s the shaft has made as many turns as in t − 2 s at full speed.
     #[test]
     fn a_linear_rise_costs_half_its_time() {
         for (time, expected) in [
