@@ -151,8 +151,8 @@ impl Space {
 }
 
 impl Pair {
-    /// Sign of a link in the constraints between two links of the pair, those with the indices 0 and `other` + 1 in its
-    /// list: −1 for the former, 1 for the latter, 0 for any third link.
+    /// Sign of a link in the constraints between two links of the pair, which have the indices 0 and `other` + 1 in the
+    /// pair's list: −1 for the link at index 0, 1 for the link at `other` + 1, and 0 for any third link.
     pub(super) fn sign(&self, link: usize, other: usize) -> f64 {
         if self.links.first() == Some(&link) {
             -1.0

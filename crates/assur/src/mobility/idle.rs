@@ -35,7 +35,7 @@ impl Scheme {
         });
         let mut idle: Vec<Vec<usize>> = lone.map(|link| vec![link]).collect();
         for two in self.joined() {
-            // If the links other than these two hold one of them, there is no motion in which both move.
+            // If the other links hold one of the two at rest, there is no motion in which both move.
             let by_others = |link: usize| {
                 let pairs = pairs_of[link].iter().copied();
                 let is_theirs = |pair: &usize| {
