@@ -333,8 +333,7 @@ impl Depends {
         self.on[link].binary_search(&on).is_ok()
     }
 
-    /// Joins the given links: a link that depends on any of them then depends on everything on which at least one of
-    /// them depends.
+    /// Joins links: any link that depends on one of them then depends on all links on which any of them depends.
     fn join(&mut self, links: &BTreeSet<usize>) {
         let of = links.iter().flat_map(|link| self.on[*link].iter().copied());
         let all: BTreeSet<usize> = of.collect();
