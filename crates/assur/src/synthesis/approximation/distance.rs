@@ -22,7 +22,7 @@ pub struct Deviation {
 
 /// Number of places of the traced curve that are compared.
 const PLACES: usize = 256;
-/// Steps from the nearest of these places to the foot.
+/// Number of steps from the nearest of these places to the foot.
 const STEPS: usize = 4;
 
 impl Deviation {

@@ -48,7 +48,7 @@ const GREATEST_RADIUS: f64 = 25.0;
 
 impl Scaled {
     /// The line or circle on which places lie; their bounding box has the diagonal 1. `longest` is the longest side of
-    /// the polyline through the places, so that a square is no circle. It is 0 if the path between the places is free.
+    /// the polyline through the places, or 0 if the path between them is free. With long sides there is no circle.
     pub(super) fn of(places: &[Complex<f64>], longest: f64) -> Option<Self> {
         let round = |special: &Self| match special {
             Self::Circle(_, radius) => longest <= SIDE * radius,

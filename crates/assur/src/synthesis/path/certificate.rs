@@ -205,7 +205,7 @@ mod tests {
         displacements.map(|z| Wide::new(z, 0.0))
     }
 
-    /// The dyads from which the points were made are a solution. It is proved from a guess at a distance of 10⁻⁷.
+    /// The dyads from which the points were made are a solution, which is proved from a guess at a distance of 10⁻⁷.
     #[test]
     fn a_known_solution_is_proved() {
         for seed in 0..20 {

@@ -42,8 +42,8 @@ pub(super) fn invariants(at: &Dyads) -> [C; 2] {
 }
 
 /// True if the invariants are known so accurately that curves in cells that are not neighbours certainly differ. The
-/// distance of two numbers is multiplied by about the factor [`shrinkage`]; it is doubled here, because the factor
-/// changes between them.
+/// distance of two numbers is multiplied by about the factor [`shrinkage`]. The product is doubled here, because the
+/// factor changes between the two numbers.
 pub(super) fn is_distinct(at: &Dyads<Wide>) -> bool {
     let [x, a, y, b, x_bar, a_bar, y_bar, b_bar] = *at;
     let sum = |x: Wide, a: Wide, y: Wide, b: Wide| {

@@ -49,8 +49,8 @@ impl Task {
         Some(self.place(self.pole_triple(j, k)?))
     }
 
-    /// The point of the body, in the first pose, that is at the pole of poses `j` and `k` in both of them: the image
-    /// pole. With the poles of the first pose it forms the pole triangle of three poses.
+    /// The image pole: the place in the first pose of the body's point that is at the pole in the poses `j` and `k`.
+    /// With the poles of the first pose it forms the pole triangle of three poses.
     pub fn image_pole(&self, j: usize, k: usize) -> Option<Place> {
         let pole = self.pole_triple(j, k)?;
         Some(self.place(match self.order(j)? {

@@ -121,8 +121,8 @@ pub fn truth(angles: &Angles) -> Option<Truth> {
 }
 
 /// Case e₃ = ±e₂. The vector product of the loop equation and e₂, e₀ × e₂ = z₁ e₁ × e₂, gives z₁ unless e₁ is parallel
-/// too. Along e₂ the remainder e₀ − z₁e₁ must equal z₂ ± z₃. This can be any value if e₂ and e₃ are opposite, otherwise
-/// only a positive one.
+/// too. Along e₂ the remainder e₀ − z₁e₁ must equal z₂ ± z₃: any value if e₂ and e₃ are opposite, otherwise only a
+/// positive value.
 fn parallel(angles: &Angles) -> Truth {
     let [frame, coupler] = [angles.frame, angles.coupler].map(|angle| {
         let turn = angles.output - angle;
