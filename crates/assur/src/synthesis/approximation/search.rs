@@ -102,8 +102,8 @@ const LAST_STEPS: usize = 60;
 /// Relative decrease of the sum in a step below which the descent of a candidate ends; `SETTLED` is that for good ones.
 const SCREENED: f64 = 1e-2;
 const SETTLED: f64 = tolerance::TRIPLE_ROOT;
-/// Maximum ratio of the distance at a new optimum to that at the worst one kept, before the last descents. These descents
-/// may still reduce the distance.
+/// Maximum ratio of the distance at a new optimum to that at the worst one kept, before the last descents. These
+/// descents may still reduce the distance.
 const HOPE: f64 = 1.5;
 /// Relative difference of root mean squares up to which two descents count as ending at the same optimum.
 const SAME: f64 = 1e-3;
