@@ -4,9 +4,9 @@
 //! square touches zero, and near this point its root loses digits. In the smooth motion the root changes sign; a
 //! polynomial that matches the root's derivatives at three nodes has all digits.
 //!
-//! If the two links of a dyad RRR are equally long, its outer hinges may coincide at the change point. The vector between
-//! them, the base, has a simple zero there. Divided by the input from the change point it keeps a direction, and the
-//! links are placed by this direction.
+//! If the two links of a dyad RRR are equally long, its outer hinges may coincide at the change point. The vector
+//! between them, the base, has a simple zero there. Divided by the input from the change point it keeps a direction,
+//! and the links are placed by this direction.
 
 use super::Complex;
 use crate::Jet;
@@ -133,8 +133,8 @@ impl SmoothRoot {
         self.base.is_some()
     }
 
-    /// The base at an input divided by u, with the sign of the root after the change point; None if it does not vanish at
-    /// the change point.
+    /// The base at an input divided by u, with the sign of the root after the change point; None if it does not vanish
+    /// at the change point.
     pub(crate) fn base_over_u<const N: usize>(&self, input: Jet<N>) -> Option<Complex<N>> {
         let u = self.u(input);
         let [x, y] = self.base.as_ref()?;
