@@ -121,7 +121,8 @@ impl Motion {
         let (mut values, reason) = match dead.map_or_else(|| self.pose::<3>(input), Err) {
             Ok(pose) => (self.values(columns, &pose, rate), None),
             Err(reason) => {
-                // Where guides are parallel, their common point is at infinity, although the input beside it has a pose.
+                // Where guides are parallel, their common point is at infinity, although the input beside it has a
+                // pose.
                 let finite = !matches!(reason.cause, Cause::Parallel);
                 let pose = finite.then(|| self.pose::<1>(input).ok()).flatten();
                 let values = pose.map_or(vec![None; columns.len()], |pose| {
