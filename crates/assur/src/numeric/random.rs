@@ -1,6 +1,7 @@
 //! Pseudorandom numbers, the same for the same seed on every platform.
 
-/// Generator of random numbers by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, 2014).
+/// Generator of random numbers by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*,
+/// 2014).
 #[derive(Clone, Debug)]
 pub(crate) struct Random(pub(crate) u64);
 
