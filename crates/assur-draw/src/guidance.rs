@@ -104,7 +104,7 @@ impl Guidance {
     }
 }
 
-/// Poses or a path drawn alone, without a linkage.
+/// The drawing of poses or a path without a linkage.
 #[derive(Clone, Debug)]
 pub struct GuidanceSheet {
     names: Vec<String>,
@@ -113,7 +113,7 @@ pub struct GuidanceSheet {
 }
 
 impl GuidanceSheet {
-    /// Draws them; `symbol` is the symbol unit, by default a hundredth of the drawing's size.
+    /// Makes the drawing; `symbol` is the symbol unit, by default a hundredth of the drawing's size.
     pub fn new(guidance: &Guidance, symbol: Option<f64>) -> Self {
         let around = bounds::around(guidance.reach());
         let size = bounds::size(around);
@@ -136,7 +136,7 @@ impl GuidanceSheet {
         &self.names
     }
 
-    /// Returns the rectangle around them: left, bottom, right, top.
+    /// Returns the rectangle around the drawing: left, bottom, right, top.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }
