@@ -66,7 +66,7 @@ pub(crate) struct Moving {
     against: OnceCell<Against>,
     /// Sheets of the velocity and acceleration polygons, computed when first drawn.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
-    /// The linkage under load, made when forces are first asked for if nothing acts on it.
+    /// The linkage under load. If nothing acts on the linkage, this is made when forces are first requested.
     forces: OnceCell<Forces>,
     /// Speed and acceleration of the input for forces: ω₁ and ε₁ of the view, whatever the axes.
     rates: [f64; 2],
