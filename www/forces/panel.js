@@ -19,7 +19,7 @@ import { unitText } from "assur/forces/fields.js";
 
 /** Share of the greatest force below which a force is written as zero. */
 const ROUNDING = 1e-12;
-/** Sign for what is statically indeterminate. */
+/** Sign for a statically indeterminate quantity. */
 const INDETERMINATE = "?";
 /** Sign for what has no value. */
 const NONE = "—";

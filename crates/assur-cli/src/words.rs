@@ -156,7 +156,7 @@ fn plain(detail: &str) -> String {
         let found = words.find_map(|(start, said)| Some((*said, text.strip_prefix(start)?)));
         found.map(|(said, rest)| (said.to_owned(), rest.to_owned()))
     };
-    // Of an expected or found value, only the JSON term for its type is kept.
+    // Keeps only the JSON term for the type of an expected or found value.
     let typed = |text: &str| {
         let named = replaced(text, &TYPES);
         named.map_or_else(|| text.to_owned(), |(said, _)| said)

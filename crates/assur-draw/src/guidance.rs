@@ -5,7 +5,7 @@ use assur::{Point, Vector};
 use crate::figure::bounds;
 use crate::list::{List, Look, Role};
 
-/// Poses of a body, or a path, with what is drawn for the choice of a linkage.
+/// Poses of a body, or a path, with the curves and points that help to choose a linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Guidance {
     /// The poses.

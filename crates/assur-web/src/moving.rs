@@ -220,7 +220,7 @@ impl Moving {
         &self.polygon_sheets
     }
 
-    /// Loading and order of equilibrium.
+    /// Returns the loading of the linkage with the order in which its reactions are found.
     pub(crate) fn forces(&self) -> &Forces {
         let of_masses = || Forces::of_masses(&self.document, self.mechanism(), self.rates);
         self.forces.get_or_init(of_masses)

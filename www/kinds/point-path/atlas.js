@@ -16,7 +16,7 @@ import { withoutExtras } from "assur/state/state.js";
  * @typedef {import("assur/types/web.js").AtlasHere} Atlas
  */
 
-/** Property of a cell that the shades show, from 0, the lightest, to 1. */
+/** Properties of a cell that the shades can show, from 0, the lightest, to 1. */
 const SHADES = Object.freeze(/** @type {Readonly<Record<string, (cell: Cell) => number>>} */ ({
   likeness: ({ unlikeness }) => (unlikeness === null ? 0 : 1 - unlikeness),
   transmission: ({ transmission }) => (2 * (transmission ?? 0)) / Math.PI,

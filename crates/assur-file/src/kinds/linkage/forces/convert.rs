@@ -45,7 +45,7 @@ impl ForceUnits {
         self.length * self.length
     }
 
-    /// The engine's unit of what the first driver exerts: of torque for a crank, of force for a slide.
+    /// The engine's unit of torque if the first driver is a crank, or of force if it is a slide.
     pub fn drive(self, turns: bool) -> f64 {
         if turns { self.torque() } else { self.force() }
     }
