@@ -35,7 +35,7 @@ export class Masses {
     this.#page = page;
   }
 
-  /** @returns whatever decides which fields there are: here whether gravity is given by its components */
+  /** @returns the value on which the set of fields depends: whether gravity is given by its components */
   shape() {
     return this.#gravityChosen();
   }
