@@ -1,4 +1,5 @@
-// Tests of damaged addresses and files: each either is refused with a sentence that names the damage, or opens as the state that it still is.
+// Tests of damaged addresses and files: each is refused with a sentence that names the damage, or is still a valid
+// state and opens.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { lineOf } from "assur/app/notices.js";

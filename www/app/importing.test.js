@@ -1,4 +1,5 @@
-// Tests of links of PMKS+ and files of Linkage, whole and damaged. The tests of assur-import test the content of the results.
+// Tests of URLs of PMKS+ and files of Linkage, whole and damaged. The tests of assur-import test the content of the
+// results.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import test from "node:test";
@@ -14,12 +15,15 @@ const words = wordsOf("en");
 const PUBLISHED = new URL("../../crates/assur-import/tests/published/", import.meta.url);
 const read = (name) => readFileSync(new URL(`linkage2/${name}`, PUBLISHED), "utf8");
 
-/** The punch press of PMKS+, with a force and masses; crates/assur-import/tests/published/pmks.txt says where it is from. */
+/**
+ * URL of the punch press of PMKS+, with a force and masses. Its source is in
+ * crates/assur-import/tests/published/pmks.txt.
+ */
 const LINK = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.1011.MA,A,0,0,0.GB,B,0,Im,0.GC,C,0,0r8,0.LP,P,0,0r8,OZ.."
   + "YRAB,Crank,VG,o,0,9O,c5cae9,A,B,,.YRBC,Connecting rod,ku,6G,0,0HC,303e9f,B,C,,.YPCP,CP,1Tm,0,0,0,,C,P,,.."
   + "2F1,BC,F1,0,0r8,0,0bW,1Xg0..N_J";
 
-/** The four-bar of issue 91 of PMKS+, in the first form. */
+/** URL of the four-bar of issue 91 of PMKS+, in the first form of these URLs. */
 const FIRST = "https://pmksplus.mech.website/?j=A,4.1,3.75,AB,R,t,0,0.1,t,%0AB,1.244,0.196,AB%7CCBE,R,f,0,0.1,f,%0A"
   + "C,-2.32,-2.293,DC%7CCBE,R,f,0,0.1,f,%0AD,0.165,1.322,DC,R,t,0,0.1,f,%0AE,-2.591,1.657,CBE,R,f,0,0.1,f,%0A"
   + "&l=AB,1,1,1.9,3.2,A%7CB,,l%0ADC,1,1,2.0,2.5,C%7CD,,l%0ACBE,1,1,1.5,2.2,B%7CC%7CE,,et&f=&pp=&tp=&s=10,false,false,cm";

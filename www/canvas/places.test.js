@@ -66,7 +66,7 @@ test("a label that has moved goes back with room to spare only, and does not fli
   const places = new Places();
   const frame = (off) => spotsOf(places, { A: at(100, 100), B: at(100 + off, 100) }).B.x - (100 + off);
   assert.equal(frame(0), -14);
-  // A clearance of one pixel is not enough to go back; three quarters of a height on both sides are.
+  // With a clearance of one pixel the label does not go back. It does with three quarters of its height on both sides.
   assert.equal(frame(WIDTH + 1), -14);
   assert.equal(frame(WIDTH + 0.75 * HEIGHT - 1), -14);
   assert.equal(frame(WIDTH + 0.75 * HEIGHT + 1), 14);

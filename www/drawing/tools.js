@@ -11,8 +11,8 @@ import { BackPicture } from "assur/drawing/picture.js";
  * wheel; an internal gear is hit only at its rim
  * @typedef {Readonly<{ name: string, key: string, icon: string, prompts: readonly string[] }>} Tool `key`: key that
  * chooses the tool, together with Alt. `prompts`: names of the prompts in order; for a dyad, by kind of pair
- * @typedef {{ pressed: Target[], loose: boolean }} Chain where bars go on. `loose`: whether the last bar ends at a new
- * point that is neither on another link nor on the frame
+ * @typedef {{ pressed: Target[], loose: boolean }} Chain unfinished bars, with the presses from which they go on.
+ * `loose`: whether the last bar ends at a new point that is neither on another link nor on the frame
  */
 
 /** Greatest slope, to the horizontal or the vertical, of a line that is made exactly horizontal or vertical. */

@@ -1,4 +1,5 @@
-// Tests of the printed worksheet: what it shows of the mechanism and of an open lesson, and what it withholds.
+// Tests of the printed worksheet: the parts of the mechanism and of an open lesson that it shows, and those that it
+// withholds.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";

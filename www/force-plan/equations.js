@@ -62,7 +62,7 @@ export function describeStep(step, units, words) {
 }
 
 /**
- * A sum of moments or of components: in symbols, in numbers, and what it gives.
+ * A sum of moments or of components: in symbols, in numbers, and its result.
  * @param {Step} step
  * @param {Units} units
  * @param {Words} words
@@ -112,7 +112,7 @@ function listed(terms, units, words) {
 }
 
 /**
- * What a step finds, for a vector with its direction.
+ * Result of a step: the size of a force or couple; for a force also its direction.
  * @param {Term} term
  * @param {Units} units
  * @param {Words} words
@@ -173,7 +173,8 @@ export function freeBodyTable(acting, units, words) {
 }
 
 /**
- * The equations of equilibrium in the chosen senses, and the unknowns that they give; negative ones act in the opposite sense.
+ * The equations of equilibrium in the chosen senses, and the unknowns that follow from them. A negative unknown acts in
+ * the opposite sense.
  * @param {readonly Addend[]} addends
  * @param {string} about point of moments
  * @param {Units} units

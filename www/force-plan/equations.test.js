@@ -1,4 +1,4 @@
-// Equations of a force plan in symbols and numbers, against the engine's numbers.
+// Tests of the equations of a force plan in symbols and numbers: the numbers must be those of the engine.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -28,7 +28,7 @@ test("a sum of moments is written in symbols, in numbers, and solved", () => {
   ] };
   const said = text(html`${describeStep(step, unitsOf(words, "m"), words)}`);
   assert.equal(said, "Moments about C (links: 2)ΣMC = G₂·h + MΦ₂ + R₁₂ᵗ·h = 010 N·2 m − 3 N·m + R₁₂ᵗ·5 m = 0 R₁₂ᵗ = −3.4 N");
-  // In a consistent system nothing has a unit.
+  // In a consistent system of units, numbers have no units.
   assert.match(text(html`${describeStep(step, unitsOf(words, "none"), words)}`), /10·2 − 3 \+ R₁₂ᵗ·5 = 0/);
 });
 
@@ -65,7 +65,7 @@ test("the lever of the engine shows the torque of the plan", () => {
   const torque = steps.flatMap(({ terms }) => terms).find(({ symbol }) => symbol === "T₁");
   assert.ok(Math.abs(torque.value - lever.by_reactions) < 1e-9);
   assert.equal(simulator.freeBody(input, 0).links.length, 3);
-  // A link that is not there has no forces.
+  // A link that does not exist has no forces.
   assert.deepEqual(simulator.freeBody(input, 99).acting, []);
 });
 

@@ -16,7 +16,7 @@ import { equilibriumOf, SUMS } from "assur/force-plan/equations.js";
  * @typedef {Readonly<{ input: number, link: number, name: string, units: Units }>} Asked the free body: its input, and the link with its name
  */
 
-/** What can be chosen for a sign, with its value; the first is no answer. */
+/** Choices for a sign, with their values; the first stands for no answer. */
 const CHOICES = Object.freeze(/** @type {Map<string, number | null>} */ (new Map([["", null], ["+", 1], ["−", -1], ["0", 0]])));
 /** Arrows of the directions along the axes, every quarter turn. */
 const AXES = Object.freeze(["→", "↑", "←", "↓"]);
@@ -51,7 +51,7 @@ export class Exercise {
     ]);
   }
 
-  /** Whether the exercise is open, so that the numbers beside it would give it away. */
+  /** Whether the exercise is open. The numbers beside it must then be hidden, because they contain its answers. */
   get open() {
     return this.element.open;
   }
@@ -138,7 +138,7 @@ export class Exercise {
     write(second, text(!reversed));
   }
 
-  /** Shows the picture in the new choices; what was judged is no longer. */
+  /** Shows the picture for the new choices, and clears the judgement of the earlier answers. */
   #change() {
     this.#clear();
     this.#page.redraw();
@@ -173,7 +173,7 @@ export class Exercise {
     render(right ? equilibriumOf(judged.addends, this.#about.value, this.#asked.units, words) : html``, this.#found);
   }
 
-  /** @returns {HTMLElement} the sheet on paper in the chosen senses, with what is filled in, and blanks */
+  /** @returns {HTMLElement} the printed sheet in the chosen senses: the answers filled in so far, and blanks */
   onPaper() {
     const { words } = this.#page;
     const addends = this.#here?.addends ?? [];

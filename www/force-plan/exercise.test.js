@@ -1,4 +1,4 @@
-// The exercise on a free body: senses and point of the student's choice, answers judged by the engine.
+// Tests of the exercise on a free body: the student chooses senses and point of moments, the engine judges the answers.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
@@ -90,7 +90,7 @@ test("an unknown in the opposite sense has opposite signs and an opposite value"
   answer(rows(), addends([unknown]));
   assert.match(check(), /^All is right/);
   assert.equal(value(symbol), -before);
-  // The sheet has what is filled in.
+  // The printed sheet has the answers that are filled in.
   const paper = exercise.onPaper();
   assert.equal(all(paper, ".cell").length, 4 * addends().length);
   assert.equal(all(paper, "[data-force]").length, addends().length);

@@ -42,7 +42,7 @@ export class ForcePlan {
   #exercise;
   #sheets;
   #folds;
-  /** What is said of friction circles, if there are any. */
+  /** Note on friction circles, shown if there are any. */
   #circle;
   #shownParts;
   /** @type {Plan | null} */
@@ -106,7 +106,7 @@ export class ForcePlan {
     }
     if (this.#tab === "body") {
       const body = simulator.freeBody(frameInput, Math.max(this.#link.selectedIndex, 0));
-      // The numbers would give the exercise away.
+      // These numbers contain the answers of the exercise, so they are hidden while it is open.
       this.#acting.hidden = this.#exercise.open;
       const links = body.links.map(([number, name]) => `${number}: ${called(name, words)}`);
       render(links.map((link) => html`<option>${link}</option>`), this.#link);
@@ -153,7 +153,8 @@ export class ForcePlan {
 
   /**
    * @param {(picture: import("assur/export/pictures.js").Picture, said: string) => HTMLElement} figure
-   * @returns {readonly HTMLElement[]} what the worksheet shows: the picture and the numbers of the shown part
+   * @returns {readonly HTMLElement[]} parts of the worksheet: the picture and the numbers of the shown part of the
+   * panel
    */
   #onPaper(figure) {
     if (this.element.hidden || !this.#here) return [];

@@ -62,7 +62,7 @@ export class Sheet {
   }
 
   /**
-   * @param {Here | null} [here] by default what is shown
+   * @param {Here | null} [here] picture data; by default those of the shown picture
    * @returns {import("assur/export/pictures.js").Picture}
    */
   picture(here = this.#here) {
@@ -122,7 +122,7 @@ export class Sheet {
  * @param {Theme} theme
  * @param {number} length in pixels
  * @param {number} height of the picture
- * @param {string} text what the bar stands for
+ * @param {string} text force that the bar represents
  */
 function paintBar({ context, ratio }, theme, length, height, text) {
   context.setTransform(ratio, 0, 0, ratio, 0, 0);

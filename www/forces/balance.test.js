@@ -1,4 +1,4 @@
-// Counterweights, shaking force, friction circles and self-locking at the border.
+// Tests of counterweights, shaking force, friction circles and self-locking at the interface to the engine.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { attempt } from "assur/core/problem.js";
@@ -41,7 +41,7 @@ test("counterweights are links with masses, and the shaking force is then zero",
   const now = open(balanced);
   const { greatest } = now.greatestForces();
   assert.ok(greatest.find(({ name }) => name === "frame.shaking").value < 1e-12 * before);
-  // Balanced as it is, it has nothing more to balance; and only a four-bar has this rule.
+  // A balanced four-bar gets no further counterweights. Other linkages cannot be balanced in this way.
   assert.deepEqual(attempt(() => now.edit({ edit: "balance" }, 0.7)).problems, [{ code: "already_balanced" }]);
   const { points, frame, links } = document();
   const slider = document({
@@ -63,7 +63,7 @@ test("the shaking force has size and direction, and is plotted", () => {
   assert.equal(open(document()).plotsForces(), false);
 });
 
-/** Numbers of the circles in a display list, in pairs of look and radius. */
+/** Pairs of look and radius of the circles in a display list. */
 function circles(list, start) {
   const found = [];
   for (let at = start; at < list.length;) {

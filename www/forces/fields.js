@@ -49,7 +49,8 @@ export class Fields {
 
   /**
    * @param {string} field of the document
-   * @param {{ symbol: string, unit: Unit, n?: string }} kind `n`: what the number is of. The keys of its words are the field without its index
+   * @param {{ symbol: string, unit: Unit, n?: string }} kind `n`: name of the part that has the number. The keys of the
+   * words are the field without its index
    * @param {() => number} value
    * @param {(value: number) => number | void} set
    * @returns {HTMLElement} the row of a number
@@ -110,7 +111,7 @@ export class Fields {
 }
 
 /**
- * Builds content again, and gives the focus back to the element that had it.
+ * Replaces the content of an element, and gives the focus back to the element that had it.
  * @param {HTMLElement} container
  * @param {readonly Node[]} content
  */

@@ -1,4 +1,5 @@
-// Forces at the border: masses, reactions, greatest values, plots and tables. Expected numbers are statics by hand.
+// Tests of forces at the interface to the engine: masses, reactions, greatest values, plots and tables. Expected
+// numbers are computed by hand.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { attempt } from "assur/core/problem.js";

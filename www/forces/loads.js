@@ -72,7 +72,7 @@ export class LoadFold {
     if (this.#shown.same(document, summary, words, problems.map((one) => JSON.stringify(one)).join())) return;
     const parts = [this.#masses, this.#loads, this.#springs, this.#dampers, this.#friction];
     const shape = JSON.stringify([document.links.map(({ name, points }) => [name, points]), document.tracers?.map(({ name, link }) => [name, link]), ...parts.map((part) => part.shape(document))]);
-    // What one types into stays in its place: the fold is built again when the field is left.
+    // A field must stay in the page while a person types into it, so the fold is rebuilt only when the field is left.
     if (!this.#isTyping() && !this.#built.same(words, shape)) for (const part of parts) part.build(document, words);
     const said = (/** @type {readonly Problem[]} */ own) => own.map((problem) => sentence(problem, words, document)).join(" ");
     const ofLinks = document.links.map(({ name }, i) => problems.filter(({ link, code, field }) => (link === name && code in OF_MASSES) || field?.startsWith(`masses[${i}]`)));

@@ -35,7 +35,7 @@ export class Masses {
     this.#page = page;
   }
 
-  /** @returns whatever decides which fields there are: here whether gravity is given by its components */
+  /** @returns the value on which the set of fields depends: whether gravity is given by its components */
   shape() {
     return this.#gravityChosen();
   }
@@ -56,7 +56,8 @@ export class Masses {
         const { centre, inertia, given } = of(i);
         const on = /** @type {[number, number]} */ (centre.with(axis, value));
         const made = reshape(this.#page, { edit: "centre", link: linkageOf(this.#page).links[i]?.name ?? name, on }, own(axis === 0 ? "along" : "across"));
-        // With a centre of mass the document has no bar whose moment of inertia would be known: that of the bar is kept.
+        // With a centre of mass, the link no longer counts as a uniform bar. The moment of inertia of the bar is then
+        // stored.
         if (made && !given && inertia > 0) putLink(this.#page, i, { inertia });
       });
       const rows = [

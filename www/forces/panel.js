@@ -19,7 +19,7 @@ import { unitText } from "assur/forces/fields.js";
 
 /** Share of the greatest force below which a force is written as zero. */
 const ROUNDING = 1e-12;
-/** Sign for what is statically indeterminate. */
+/** Sign for a statically indeterminate quantity. */
 const INDETERMINATE = "?";
 /** Sign for what has no value. */
 const NONE = "—";
@@ -81,7 +81,7 @@ export class Forces {
   #written({ reactions, drives, applied, shaking, lost, efficiency }, snapshot) {
     const { words } = snapshot;
     const { numbers } = words;
-    // What is zero by equilibrium is not written as the rounding error that it is.
+    // A force that is zero by equilibrium is written as zero instead of its rounding error.
     const least = ROUNDING * Math.max(...reactions.map(({ value }) => value ?? 0), ...applied.map(({ value }) => value));
     const number = (/** @type {number | null} */ value) => (value === null ? INDETERMINATE : numbers.short(Math.abs(value) < least ? 0 : value));
     const angle = (/** @type {Pick<Reaction, "value" | "direction">} */ { value, direction }) => (value === null ? INDETERMINATE : direction === null || value < least ? NONE : `${numbers.fixed(degrees(direction), 1)}°`);

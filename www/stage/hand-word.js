@@ -24,7 +24,7 @@ const AWAY = Object.freeze([18, 46]);
  */
 export function effectOf(page, { name, x, y }) {
   const { summary } = page.model;
-  // Where points of links cannot be traced, all handles have the same effect.
+  // If points of links cannot be traced, all handles have the same effect.
   if (summary.moves === null || !summary.traceable) return null;
   const { document } = page.store.get();
   const change = attempt(() => page.engine.simulator.drag(name, inputNow(page), x, y)).value;

@@ -232,7 +232,7 @@ export class Model {
     const refused = this.#refused.filter(({ field }) => field === undefined || !this.#drafts.has(field));
     const drafted = this.#drafts.problems;
     const stale = this.#refused.length > 0 || this.#drafts.fields().some((field) => partOf(field) in state.document);
-    // In motion a dead point is passed within one frame, too fast for a sentence on it to be read.
+    // In motion a dead point is passed within one frame, and nobody could read a sentence on it in this time.
     const unread = state.view.playing ? [] : this.#unread;
     const poseProblems = stale ? [] : this.#poseProblems.length > 0 ? this.#poseProblems : unread;
     const trapped = this.#engine.trapped ? [TRAPPED] : [];

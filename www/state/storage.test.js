@@ -1,4 +1,5 @@
-// Tests of what the browser stores, also if its storage is full or forbidden, and if another tab stores another mechanism.
+// Tests of the contents of the browser's storage, also if the storage is full or forbidden, and if another tab stores
+// another mechanism.
 import assert from "node:assert/strict";
 import test, { beforeEach } from "node:test";
 import { happen } from "assur/tests/window.js";

@@ -38,7 +38,7 @@ const COLUMNS: [&str; 7] = [
     "flywheel", "delta", "mean", "least", "greatest", "torque", "period",
 ];
 
-/// Writes the table of cycles: with the flywheel of the file and, for a wanted non-uniformity, with those of both methods.
+/// Writes the table of cycles: with the flywheel of the file and, for a wanted non-uniformity, with one of each method.
 ///
 /// # Errors
 /// A document that is not a mechanism, whose forces are invalid or that has no steady cycle; an invalid number; output

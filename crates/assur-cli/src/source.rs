@@ -161,8 +161,8 @@ impl Moved {
         output.ok_or_else(|| Failure::Input(format!("{name}: there are no links")))
     }
 
-    /// Returns the quantities plotted by the document, or else the angles of all links and the coordinates of points
-    /// that slide on the frame.
+    /// Returns the quantities plotted by the document. If there are none, returns the angles of all links and the
+    /// coordinates of points that slide on the frame.
     pub(crate) fn outputs(&self) -> Vec<Quantity> {
         let mechanism = self.motion.mechanism();
         if !self.document.plots.is_empty() {

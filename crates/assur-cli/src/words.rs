@@ -156,7 +156,7 @@ fn plain(detail: &str) -> String {
         let found = words.find_map(|(start, said)| Some((*said, text.strip_prefix(start)?)));
         found.map(|(said, rest)| (said.to_owned(), rest.to_owned()))
     };
-    // Of an expected or found value, only the JSON term for its type is kept.
+    // Keeps only the JSON term for the type of an expected or found value.
     let typed = |text: &str| {
         let named = replaced(text, &TYPES);
         named.map_or_else(|| text.to_owned(), |(said, _)| said)
@@ -188,7 +188,7 @@ pub(crate) fn class(class: Grashof) -> String {
 /// Formats a number with four significant digits.
 pub(crate) fn short(value: f64) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    // Rounding the greatest number up would make it infinite.
+    // The greatest floating-point number would be rounded up to infinity.
     let rounded = if rounded.is_finite() { rounded } else { value };
     if rounded == 0.0 || (1e-4..1e9).contains(&rounded.abs()) {
         format!("{}", rounded + 0.0)

@@ -1,4 +1,4 @@
-//! Damaged files and arguments: exit status 0, 1 or 2, a sentence where it is not 0; no panic, no hang.
+//! Damaged files and arguments: the exit status is 0, 1 or 2, with a sentence unless it is 0; no panic, no hang.
 
 use std::env::temp_dir;
 use std::fs;
@@ -9,10 +9,10 @@ use assur_tests::damage::{Dice, damaged, outcome};
 use assur_tests::files::texts;
 use assur_tests::{scaled, seed};
 
-/// Runs of the program in a quick run, for a target.
+/// Number of runs of the program for each test target in a quick run.
 const QUICK: usize = 60;
 
-/// An empty folder, gone with the value: what the program writes goes into it.
+/// An empty folder for the files that the program writes; deleted when the value is dropped.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -51,7 +51,7 @@ fn words(line: &str) -> Vec<String> {
     line.split(' ').map(str::to_owned).collect()
 }
 
-/// A text as bytes, some of which are none of UTF-8 in a file of four.
+/// Damages a text and returns its bytes. One file in four gets a random byte, which may make it invalid UTF-8.
 fn bytes(text: &str, dice: &mut Dice) -> Vec<u8> {
     let mut bytes = damaged(text, dice).into_bytes();
     if dice.below(4) == 0 {
@@ -108,13 +108,13 @@ fn damaged_arguments_end_with_a_status() {
         "structure https://designengrlab.github.io/PMKS/pmks.html?mech=ground,crank,R,0,0,0,tfft|crank,rod,R,25,0,0,tfff|rod,rocker,R,30,38,0,tfff|rocker,ground,R,50,0,0,tfff|",
     ];
     let folder = Folder::new("arguments");
-    // Before they are damaged, all are accepted.
+    // Undamaged, all command lines are accepted.
     for line in LINES {
         assert!(outcome((folder.0.clone(), words(line)), accepts), "{line}");
     }
     let mut dice = Dice::new(seed());
     for line in LINES.iter().cycle().take(scaled(QUICK)) {
-        // No program is given a zero byte.
+        // The operating system passes no argument that contains a zero byte.
         let line = damaged(line, &mut dice).replace('\0', "");
         outcome((folder.0.clone(), words(&line)), accepts);
     }

@@ -1,4 +1,4 @@
-//! `assur differential` as it is run: speeds, ratios, conditions, bad input.
+//! `assur differential` run as a program: speeds, ratios, conditions, bad input.
 
 use std::process::{Command, Output};
 
@@ -25,7 +25,7 @@ fn told(arguments: &str) -> Value {
     serde_json::from_str(&said(&format!("{arguments} --json"))).unwrap()
 }
 
-/// Exit status 2 and what is said.
+/// Runs the program, expects exit status 2, and returns its message.
 fn refused(arguments: &str) -> String {
     let output = assur(arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}");
@@ -158,7 +158,7 @@ fn bad_input_names_the_condition() {
     assert!(refused("--z1 20 --z4 60 --w1 1 --tie 4/2=1").contains("a tie is as 4/1=0.5"));
 }
 
-/// A real train with profile shift: nothing of magnets, and what its numbers mean.
+/// A real train with profile shift: the report explains the shift and says nothing about magnets.
 #[test]
 fn shifted_gears() {
     let arguments = "--z1 9 --z2 31 --z4 72 --w1 1 --w4 0";
@@ -171,7 +171,7 @@ fn shifted_gears() {
                 shift may still be built";
     assert!(lines.lines().any(|line| line == note), "{lines}");
     assert!(!lines.contains("magnets"), "{lines}");
-    // For programs there is all of it.
+    // The JSON report has the conditions for magnets all the same.
     assert_eq!(
         told(arguments)["conditions"]["magnets"]["room"]["met"],
         true
@@ -181,7 +181,7 @@ fn shifted_gears() {
         magnets.contains("magnets        room: ") && !magnets.contains("contact "),
         "{magnets}"
     );
-    // Three teeth are too many, and nothing is shifted where the axes are common.
+    // Profile shift is not suggested if three teeth are too many, or if the axes coincide without it.
     assert!(!said("--z1 9 --z2 31 --z4 74 --w1 1 --w4 0").contains("profile shift"));
     assert!(!said("--z1 9 --z2 31 --z4 71 --w1 1 --w4 0").contains("profile shift"));
     assert!(!said("--z1 20 --z4 60 --w1 10 --w4 2").contains("magnets"));

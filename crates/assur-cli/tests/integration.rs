@@ -1,4 +1,4 @@
-//! The terminal program as it is run: commands, tables, drawings, refusals.
+//! The terminal program run as a process: commands, tables, drawings, refusals.
 #![allow(
     clippy::unwrap_used,
     clippy::panic,

@@ -1,4 +1,4 @@
-//! `assur mobility` as it is run: the paper's table, other cuts, linkages, bad input by names.
+//! `assur mobility` run as a program: the paper's table, other cuts, linkages, bad input with its names.
 
 use std::process::{Command, Output};
 
@@ -21,7 +21,7 @@ fn told(arguments: &[&str]) -> Value {
     serde_json::from_str(&said(&arguments)).unwrap()
 }
 
-/// Exit status 2 and what is said.
+/// Runs the program, expects exit status 2, and returns its message.
 fn refused(arguments: &[&str]) -> String {
     let output = assur(&[&["mobility"], arguments].concat());
     assert_eq!(output.status.code(), Some(2), "{arguments:?}");
@@ -29,7 +29,7 @@ fn refused(arguments: &[&str]) -> String {
     String::from_utf8(output.stderr).unwrap()
 }
 
-/// A file that is gone with the value.
+/// A file that is deleted when the value is dropped.
 struct Scratch(std::path::PathBuf);
 
 impl Scratch {
@@ -54,7 +54,7 @@ impl Drop for Scratch {
 #[test]
 fn the_table_of_the_paper() {
     type Row = (&'static str, usize, Value, Value, [i64; 3], Value, [i64; 3]);
-    // Name, n, pairs, cuts, W_open with ΣS and W_spatial, W_planar, W with q and the W of the rank.
+    // Name, n, pairs, cuts, [W_open, ΣS, W_spatial], W_planar, [W, q, W by rank].
     let rows: [Row; 6] = [
         (
             "mobility-1a",
@@ -262,7 +262,7 @@ fn bad_files_are_refused_with_every_reason() {
     assert!(refused(&["no-such-name"]).contains("no such name"));
 }
 
-/// A linkage that is locked, and a drawing without a driver or with too few, are counted and have a rank.
+/// A locked linkage and drawings with too few drivers or none have a mobility by count and by rank.
 #[test]
 fn what_does_not_move_is_counted() {
     let braced = {
@@ -301,7 +301,7 @@ fn what_does_not_move_is_counted() {
         [3, 1, 1]
     );
     assert_eq!(assur(&["mobility", undriven.path()]).stderr, b"");
-    // As a state of the page has it.
+    // The same linkage in a state saved by the page.
     let state = include_str!("../../../tests/data/linkages/linkage-state.json");
     let mut state: Value = serde_json::from_str(state).unwrap();
     (state["format"], state["kind"]) = (json!(2), json!("draft"));

@@ -1,4 +1,4 @@
-//! `assur synth` as it is run: families, exact linkages, compromises, and what has none.
+//! `assur synth` run as a program: families, exact linkages, compromises, and tasks without a linkage.
 
 use std::process::{Command, Output};
 
@@ -10,7 +10,7 @@ pub(crate) fn synth(arguments: &[&str]) -> Output {
     command.arg("synth").args(arguments).output().unwrap()
 }
 
-/// Standard output of a run that went well.
+/// Runs the program, expects success, and returns standard output.
 pub(crate) fn said(arguments: &[&str]) -> String {
     let output = synth(arguments);
     let complaint = String::from_utf8(output.stderr).unwrap();
@@ -24,7 +24,7 @@ pub(crate) fn json(arguments: &[&str]) -> Value {
     serde_json::from_str(&said(&all)).unwrap()
 }
 
-/// The sentence of a run that went wrong.
+/// Runs the program, expects exit status 2, and returns its message.
 pub(crate) fn refused(arguments: &[&str]) -> String {
     let output = synth(arguments);
     assert_eq!(output.status.code(), Some(2), "{arguments:?}");
@@ -49,7 +49,7 @@ fn example<'a>(more: &[&'a str]) -> Vec<&'a str> {
     EXAMPLE.iter().chain(more).copied().collect()
 }
 
-/// The paper's example: the member with l₂ = 5, to the digits that are known.
+/// The paper's example: the member with l₂ = 5, compared to all known digits.
 #[test]
 fn member_of_the_example() {
     let found = json(&example(&["--l2", "5"]));
@@ -80,7 +80,7 @@ fn member_of_the_example() {
     }
 }
 
-/// The family of the example: its ranges, where Grashof's class changes, members in between.
+/// The family of the paper's example: the lengths at which its Grashof class changes, its range, five of its members.
 #[test]
 fn family_of_the_example() {
     let found = json(&example(&[]));
@@ -112,8 +112,8 @@ fn family_of_the_example() {
     }
 }
 
-/// Three positions of a crank-rocker with lengths 4, 9, 6 on 10 give it back; so do eight, and five that
-/// are counted from other starts.
+/// Three positions of a crank-rocker with lengths 4, 9, 6 on a frame of 10 yield this linkage again. So do eight
+/// positions, and five positions measured from other starting angles.
 #[test]
 fn known_linkages() {
     let linkage = assur::FourBar::new([4.0, 9.0, 6.0, 10.0]).unwrap();
@@ -160,7 +160,7 @@ fn known_linkages() {
     assert!(is_known(&many["solutions"][0]), "{many}");
 }
 
-/// What the paper does: coupler angles by (14) and (25), ranges, lengths that are tried.
+/// The paper's method: coupler angles checked by (14) and (25), ranges of l₁, trial lengths.
 #[test]
 fn coupler_angles_and_trial_lengths() {
     let found = json(&example(&["--coupler", "10,9", "--lengths", "10,5,4"]));
@@ -224,7 +224,7 @@ fn one_position() {
     );
 }
 
-/// What fails is named.
+/// A message names what is at fault.
 #[test]
 fn refusals() {
     let cases: [(&[&str], &str); 12] = [
@@ -281,13 +281,13 @@ fn refusals() {
     }
     let out = refused(&example(&["--l2", "300"]));
     assert!(out.contains("--l2 300: the linkages that take up both positions have l2 greater than 0 and less than 255.0745725"), "{out}");
-    // Every fault has its line.
+    // Each fault has a line of its own.
     let both = refused(&["--position", "nan,1", "--position", "2,inf"]);
     assert!(
         both.contains("position 1: PHI2") && both.contains("position 2: PHI3"),
         "{both}"
     );
-    // The rocker's own angle, from D to C, is half a turn off.
+    // The rocker's own direction, from D to C, is opposite to that of the output link.
     let linkage = assur::FourBar::new([4.0, 9.0, 6.0, 10.0]).unwrap();
     let turned = [10.0_f64, 80.0, 200.0].map(|input| {
         let pose = linkage.pose::<1>(assur::Assembly::First, input.to_radians());
@@ -316,7 +316,7 @@ fn from_input(inputs: [f64; 5], outputs: [f64; 5], more: &[&str]) -> Vec<String>
         .collect()
 }
 
-/// Solutions come by how far the output is off, and those last that a bound holds.
+/// Solutions are sorted by output error; those with a length at its bound come last.
 #[test]
 fn minima_by_the_error_of_the_output() {
     let inputs = [40.0, 45.0, 50.0, 55.0, 60.0];
@@ -327,7 +327,7 @@ fn minima_by_the_error_of_the_output() {
     let all = found["solutions"].as_array().unwrap();
     let key = |one: &Value| {
         let held = !one["held"].as_array().unwrap().is_empty();
-        // Where a position is not reached there is none.
+        // There is no output error if a position is not reached.
         (
             held,
             one["output_error_deg"].as_f64().unwrap_or(f64::INFINITY),
@@ -345,7 +345,7 @@ fn minima_by_the_error_of_the_output() {
         "{held}"
     );
     assert!((number(&held["l2"]) - 18.0).abs() < 1e-9);
-    // The minimised sum is printed as well: by it the order would be another.
+    // The minimised sum is in the report, too; it would sort the solutions differently.
     assert!(number(&held["sum"]) < number(&all[0]["sum"]));
     assert_eq!(found["output_turned"], false);
 

@@ -1,4 +1,4 @@
-//! `assur synth --function` as it is run: positions on a function, how far linkages are off it, what is none.
+//! `assur synth --function` run as a program: positions on a function, errors of linkages, refusals.
 
 use crate::synth::{json, number, refused, said, synth};
 
@@ -17,7 +17,7 @@ fn log<'a>(more: &[&'a str]) -> Vec<&'a str> {
     LOG.iter().chain(more).copied().collect()
 }
 
-/// y = log₁₀ x at three places exactly, at seven nearly: positions, lengths, greatest error.
+/// y = log₁₀ x, met exactly at three positions and nearly at seven: positions, lengths, greatest error.
 #[test]
 fn positions_on_a_function() {
     let three = json(&log(&[]));
@@ -53,7 +53,7 @@ fn positions_on_a_function() {
     assert!(best.abs() < 0.003, "{best}");
 }
 
-/// Rows of a file are a function, from the first to the last.
+/// The rows of a file define a function from the first row to the last.
 #[test]
 fn positions_on_the_rows_of_a_file() {
     let file = std::env::temp_dir().join(format!("assur-rows-{}", std::process::id()));
@@ -106,7 +106,7 @@ fn functions_that_are_none() {
         (vec!["--x", "1"], "two numbers are wanted, as 1,2"),
         (vec!["--position", "240,45"], "cannot be used with"),
     ] {
-        // What is given again takes the place of what was given.
+        // Options of a case replace those of `LOG`.
         let kept = LOG
             .chunks(2)
             .filter(|pair| !more[0].starts_with(pair[0]) || more[0] == "--position");

@@ -1,4 +1,4 @@
-//! `assur synth --pose` as it is run: dyads, linkages, special poses and refusals.
+//! `assur synth --pose` run as a program: dyads, linkages, special poses and refusals.
 
 use serde_json::Value;
 
@@ -9,7 +9,7 @@ fn poses<'a>(poses: &[&'a str], more: &[&'a str]) -> Vec<&'a str> {
     poses.chain(more.iter().copied()).collect()
 }
 
-/// Three poses with both pivots: the distances of the hinges on the body from their pivots are equal in all poses.
+/// Three poses with both pivots: in all poses each hinge on the body is at the same distance from its pivot.
 #[test]
 fn three_poses_with_pivots() {
     let three = ["0,0,0", "1,0.6,30", "2,0.5,65"];
@@ -44,7 +44,7 @@ fn three_poses_with_pivots() {
     }
 }
 
-/// Five poses have 0, 2 or 4 real pairs; together with the complex ones there are four.
+/// Five poses have 0, 2 or 4 real pairs; real and complex pairs together are four.
 #[test]
 fn five_poses() {
     let five = ["0,0,0", "1,0.6,20", "1.8,0.7,41", "2.5,0.3,58", "3,-0.4,70"];
@@ -60,7 +60,7 @@ fn five_poses() {
     assert!(table.contains("complete       yes"), "{table}");
 }
 
-/// Four poses leave curves: the slides, and the points nearest to wanted ones.
+/// Four poses have infinitely many dyads. The slides are listed, and the dyads nearest to the wanted hinges.
 #[test]
 fn four_poses() {
     let four = ["0,0,0", "1,0.6,20", "1.8,0.7,41", "2.5,0.3,58"];

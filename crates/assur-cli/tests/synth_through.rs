@@ -22,7 +22,7 @@ fn through<'a>(points: &[&'a str]) -> Vec<&'a str> {
         .collect()
 }
 
-/// 21 of the 1,442 curves are real: 63 four-bars. Each has P at the first point.
+/// 21 of the 1,442 curves are real, with 63 four-bars. In each four-bar P is drawn at the first point.
 #[test]
 fn all_four_bars_through_nine_points_are_listed() {
     let found = json(&through(&POINTS));
@@ -76,8 +76,9 @@ fn points_without_a_finite_number_of_four_bars_are_explained() {
     assert!(refused(&both).contains("cannot be used with"));
 }
 
-/// Coupler points of a crank-rocker at crank angles 0°, 30°, 100°, 170°, 260°, computed apart from the engine: A = (0, 0),
-/// AB = 1, BC = 3, CD = 2.5, D = (3, 0); P is 1.5 along BC and 1 to its left.
+/// Coupler points of a crank-rocker at five crank angles, computed independently of the engine: A = (0, 0), AB = 1, BC
+/// = 3,
+/// CD = 2.5, D = (3, 0). P is at 1.5 along BC and 1 to the left of BC.
 const TIMED: [(&str, &str); 5] = [
     ("1.0169527,1.8026959", "0"),
     ("1.3190819,2.2449183", "30"),

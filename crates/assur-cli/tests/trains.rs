@@ -1,4 +1,4 @@
-//! Differentials by time in the terminal: they are no linkages, and that is said in a sentence.
+//! Differentials driven as functions of time: a message says that they are not linkages.
 
 use std::process::Command;
 
@@ -40,7 +40,7 @@ fn names_of_the_catalogue_that_move_by_time() {
     }
 }
 
-/// A document, sound or not, and one that has not the form.
+/// Valid and invalid documents of this kind, and one whose fields have the wrong form.
 #[test]
 fn files_that_move_by_time() {
     let drives = r#""drives": [{"shaft": "sun", "rpm": 60}, {"shaft": "ring"}]"#;

@@ -275,12 +275,13 @@ impl Figure {
         frame.extend(list.numbers());
     }
 
-    /// Radius with which the friction circle of a hinge is drawn: its own, unless it could not be seen.
+    /// Returns the radius with which the friction circle of a hinge is drawn: the true one, unless it is too small to
+    /// be seen.
     pub fn drawn_circle(&self, radius: f64) -> f64 {
         force_arrows::drawn_radius(radius, self.unit)
     }
 
-    /// Size of the drawing, in the unit of lengths.
+    /// Returns the size of the drawing, in the unit of lengths.
     pub fn size(&self) -> f64 {
         bounds::size(self.bounds)
     }

@@ -34,7 +34,7 @@ pub enum Acting {
 
 /// Least radius of a friction circle that can be seen, in symbol units.
 const SEEN: f64 = 0.5;
-/// Radius with which a smaller one is drawn, dashed; outside the symbol of the hinge.
+/// Radius with which a smaller friction circle is drawn, dashed; it lies outside the symbol of the hinge.
 const ENLARGED: f64 = 2.2;
 
 /// Radius with which a friction circle is drawn.

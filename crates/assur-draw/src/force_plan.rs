@@ -177,7 +177,7 @@ fn around(places: impl Iterator<Item = Point>) -> [f64; 4] {
     }
 }
 
-/// The same rectangle, made higher or wider if it is very flat.
+/// Returns a rectangle, made higher or wider if it is very flat.
 fn square([left, bottom, right, top]: [f64; 4]) -> [f64; 4] {
     let size = (right - left).max(top - bottom);
     let size = if size > 0.0 { size } else { 1.0 };

@@ -5,7 +5,7 @@ use assur::{Point, Vector};
 use crate::figure::bounds;
 use crate::list::{List, Look, Role};
 
-/// Poses of a body, or a path, with what is drawn for the choice of a linkage.
+/// Poses of a body, or a path, with the curves and points that help to choose a linkage.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Guidance {
     /// The poses.
@@ -104,7 +104,7 @@ impl Guidance {
     }
 }
 
-/// Poses or a path drawn alone, without a linkage.
+/// The drawing of poses or a path without a linkage.
 #[derive(Clone, Debug)]
 pub struct GuidanceSheet {
     names: Vec<String>,
@@ -113,7 +113,7 @@ pub struct GuidanceSheet {
 }
 
 impl GuidanceSheet {
-    /// Draws them; `symbol` is the symbol unit, by default a hundredth of the drawing's size.
+    /// Makes the drawing; `symbol` is the symbol unit, by default a hundredth of the drawing's size.
     pub fn new(guidance: &Guidance, symbol: Option<f64>) -> Self {
         let around = bounds::around(guidance.reach());
         let size = bounds::size(around);
@@ -136,7 +136,7 @@ impl GuidanceSheet {
         &self.names
     }
 
-    /// Returns the rectangle around them: left, bottom, right, top.
+    /// Returns the rectangle around the drawing: left, bottom, right, top.
     pub fn bounds(&self) -> [f64; 4] {
         self.bounds
     }

@@ -201,9 +201,9 @@ impl Sketch {
     }
 }
 
-/// Returns the colours of the links: those for locked, loose and driven links, or else the next colour in turn. Without a
-/// driver, the first link on the frame, which is the likeliest to be driven, takes no turn, so that the others keep their
-/// colours when it is.
+/// Returns the colours of the links: those for locked, loose and driven links, or else the next colour in turn. Without
+/// a driver, the first link on the frame is passed over in the sequence, because it is the likeliest to be driven: the
+/// colours of the others then stay the same when a driver is added.
 fn roles(draft: &LinkageSpec, view: &SketchView) -> Vec<Role> {
     let driven = |name: &str| {
         draft

@@ -1,4 +1,4 @@
-//! Drawings of any linkage: whole lists, bodies where the engine has them.
+//! Drawings of any linkage: complete display lists, with bodies where the engine places them.
 
 mod bodies;
 
@@ -11,8 +11,7 @@ use assur_draw::{Annotations, Figure, Overlays, Role, View};
 
 use crate::records::records;
 
-/// An offset slider-crank with a plate as rod, on whose point a block of a lever
-/// slides.
+/// An offset slider-crank whose rod is a plate. A block of a lever slides on a point of this plate.
 fn draft() -> LinkageSpec {
     LinkageSpec::default()
         .point("A", 0.0, 0.0)
@@ -34,7 +33,7 @@ fn draft() -> LinkageSpec {
         .crank("crank")
 }
 
-/// The drawing of the slider-crank's motion with these overlays and the path of M.
+/// Returns the drawing of the slider-crank with these overlays and the path of M.
 fn figure(motion: &Motion, overlays: Overlays) -> Figure {
     let view = View {
         overlays,
@@ -67,10 +66,10 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
     for record in rigid.iter().filter(|record| record[0] == 0.0) {
         assert!((record[1] as usize) < bodies);
     }
-    // The path of M, dashed, is drawn first: all of a turn.
+    // The dashed path of M is drawn first, over a whole turn.
     assert_eq!((rigid[0][0], rigid[0][2]), (2.0, 3.0));
     assert!(rigid[0][3] > 300.0);
-    // Hinges: A, D, B, C, and M with the block.
+    // Hinge symbols: A, D, B, C, and the pin of the block at M.
     let hollow = rigid
         .iter()
         .filter(|record| record[0] == 3.0 && record[2] == 5.0);
@@ -93,7 +92,7 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
             let at = mechanism.place(&pose, point).place();
             assert!((left..=right).contains(&at.x) && (bottom..=top).contains(&at.y));
         }
-        // Every point but those that only give the guide has its name.
+        // Every point has its name, except points that only define the guide.
         let moving = records(&frame[1 + 3 * bodies..]);
         let named: Vec<&str> = moving
             .iter()
@@ -104,7 +103,7 @@ fn lists_are_whole_and_bodies_stand_where_they_are() {
     }
 }
 
-/// A four-bar without a link that turns fully.
+/// A four-bar in which no link turns fully.
 fn triple_rocker() -> LinkageSpec {
     LinkageSpec::default()
         .point("A", 0.0, 0.0)
@@ -118,7 +117,7 @@ fn triple_rocker() -> LinkageSpec {
         .crank("crank")
 }
 
-/// The plots of a link's angle as a file.
+/// Returns the sheet with the plots of a link's angle.
 fn chart(motion: &Motion, link: &str) -> String {
     let settings = Settings {
         input: InputRate::ANALOGUES,
@@ -133,7 +132,7 @@ fn chart(motion: &Motion, link: &str) -> String {
     sheet.finish(link)
 }
 
-/// The axis spans where the input goes, with a little room; all of a turn where that is nearly all of it.
+/// The axis spans the range of the input with a margin; it spans a whole turn if the range is nearly a turn.
 #[test]
 fn axes_fit_the_motion() {
     let swings = Motion::new(Mechanism::new(&triple_rocker()).unwrap());
@@ -157,7 +156,7 @@ fn axes_fit_the_motion() {
     }
 }
 
-/// Curves of the same axis of two points can be told apart.
+/// Curves of equal coordinates of several points have different colours.
 #[test]
 fn axes_of_further_points_have_colours_of_their_own() {
     let motion = Motion::new(Mechanism::new(&draft()).unwrap());
@@ -173,7 +172,7 @@ fn axes_of_further_points_have_colours_of_their_own() {
     assert_eq!(roles, [Role::X, Role::Accent2, Role::Y, Role::Accent1]);
 }
 
-/// Where there is no pose there is no frame.
+/// No pose exists outside the dead points, so nothing can be drawn there.
 #[test]
 fn beyond_dead_points_nothing_is_drawn() {
     let draft = triple_rocker();
@@ -185,7 +184,7 @@ fn beyond_dead_points_nothing_is_drawn() {
     assert!(motion.pose::<1>(3.0).is_err());
 }
 
-/// The arrows lie along the derivatives and keep one scale for each order.
+/// The arrows are parallel to the derivatives, with one scale for each order.
 #[test]
 fn vectors_are_derivatives_to_scale() {
     let draft = draft();
@@ -207,7 +206,7 @@ fn vectors_are_derivatives_to_scale() {
                 let lines = lines.iter();
                 lines.filter(move |line| line[0] == kind && line[1] == f32::from(role as u8))
             };
-            // The shaft begins at the point, the head with the tip.
+            // The line of an arrow begins at the point. The polygon of its head begins with the tip.
             for (shaft, head) in of(2.0).zip(of(1.0)) {
                 let [x, y] = [shaft[4], shaft[5]].map(f64::from);
                 let tip = [head[5], head[6]].map(f64::from);
@@ -222,7 +221,7 @@ fn vectors_are_derivatives_to_scale() {
         }
     }
     for found in scales {
-        // B, C, M and E move; C and M stop now and then.
+        // B, C, M and E move; the arrows of C and M are too short to be drawn in some poses.
         assert!(found.len() > 24 * 3, "{}", found.len());
         assert!(
             found
@@ -232,8 +231,8 @@ fn vectors_are_derivatives_to_scale() {
     }
 }
 
-/// In groups every body has the colour of its group and of no other, the plots
-/// keep the links' own; only colours change.
+/// With colours by group, each body has the colour of its group. Only colours change, and plots keep each link's own
+/// colour.
 #[test]
 fn groups_have_their_colours() {
     let draft = draft();
@@ -269,7 +268,7 @@ fn groups_have_their_colours() {
             painted[body] += 1;
         }
     }
-    // Slider and lever had other colours before; crank and rod have kept theirs.
+    // Slider and lever change their colours; crank and rod keep theirs.
     assert_eq!((painted[1], painted[2]), (0, 0));
     assert!(painted[3] > 0 && painted[5] > 0, "{painted:?}");
     for (link, role) in mechanism.link_ids().zip(of_links) {

@@ -1,4 +1,4 @@
-//! What lecturers draw over a linkage, in numbers: instant centres with Kennedy's lines, centrodes, circles.
+//! Instant centres with Kennedy's lines, centrodes and circles of curvature, compared with known values.
 
 use assur::Point;
 use assur::mechanism::{LinkageSpec, Mechanism};
@@ -24,7 +24,7 @@ fn point(x: f32, y: f32) -> Point {
     Point::new(f64::from(x), f64::from(y))
 }
 
-/// What changes its shape, after the poses of the bodies.
+/// Returns the records after the poses of the bodies: everything whose shape changes.
 fn moving(figure: &Figure, frame: &[f32]) -> Vec<Vec<f32>> {
     assert!(frame.iter().all(|number| number.is_finite()));
     let bodies = frame[0] as usize;
@@ -53,8 +53,8 @@ fn four_bar() -> Motion {
     Motion::new(mechanism.unwrap_or_else(|defects| panic!("{defects:?}")))
 }
 
-/// Six centres of a four-bar, named by the numbers of links; the lines of crank and rocker cross in that of the coupler
-/// against the frame, A B and D C: at (8/3, 8/3).
+/// A four-bar has six instant centres, named by the numbers of links. The lines AB and DC of crank and rocker meet at
+/// the centre of the coupler relative to the frame, (8/3, 8/3).
 #[test]
 fn centres_and_their_lines() {
     let motion = four_bar();
@@ -87,7 +87,7 @@ fn centres_and_their_lines() {
             assert!(off.abs() < 1e-5, "{off}");
         }
     }
-    // Of crank and rocker against each other: where the lines of coupler and frame cross.
+    // The centre of the crank relative to the rocker is where the lines of coupler and frame meet.
     let pair = Lines {
         link: motion.mechanism().link("crank"),
         against: motion.mechanism().link("rocker"),
@@ -99,21 +99,21 @@ fn centres_and_their_lines() {
     let marks = in_role(&records, CIRCLE, Role::Velocity);
     assert!((point(marks[0][3], marks[0][4]) - Point::new(-1.0, 0.0)).norm() < 1e-5);
     assert_eq!(in_role(&records, POLYLINE, Role::Velocity).len(), 2);
-    // Of another link; and nothing of it where it is not asked for.
+    // The centre of the crank relative to the frame. Below, no centre has a name if no lines are requested.
     let crank = Lines {
         link: motion.mechanism().link("crank"),
         ..lines
     };
     let of_crank = drawn(&motion, crank);
     let frame = of_crank.frame(&motion.pose::<3>(motion.drawn_input()).unwrap());
-    // Its centre is a hinge: no lines lead to it.
+    // This centre is a hinge, so no lines define it.
     let records = moving(&of_crank, &frame);
     assert!(in_role(&records, POLYLINE, Role::Velocity).is_empty());
     let plain = drawn(&motion, Lines::default());
     assert!(!plain.names().iter().any(|name| name.starts_with('P')));
 }
 
-/// Two paths have two centres of curvature, each with the name of its point.
+/// Two traced points have two centres of curvature, each named after its point.
 #[test]
 fn centres_of_curvature_are_named_by_their_points() {
     let motion = four_bar();
@@ -129,7 +129,7 @@ fn centres_of_curvature_are_named_by_their_points() {
     let figure = Figure::new(&motion, &view).unwrap();
     let frame = figure.frame(&motion.pose::<5>(motion.drawn_input()).unwrap());
     let records = moving(&figure, &frame);
-    // They are the fixed pivots, about which both points turn.
+    // The centres are the fixed pivots, because each point turns about one of them.
     for (name, pivot) in [("K_B", Point::origin()), ("K_C", Point::new(4.0, 0.0))] {
         let labels = records.iter().filter(|record| record[0] == LABEL);
         let named: Vec<_> = labels
@@ -143,7 +143,7 @@ fn centres_of_curvature_are_named_by_their_points() {
     }
 }
 
-/// Also in every pose, and where it turns back, all that is drawn is somewhere.
+/// In every pose, dead points included, all coordinates are finite.
 #[test]
 fn everywhere_something_finite() {
     let motion = four_bar();
@@ -165,7 +165,7 @@ fn everywhere_something_finite() {
     }
 }
 
-/// The bar of a trammel: both centrodes are circles, its inflection circle is the smaller one.
+/// The bar of an elliptic trammel: both centrodes are circles, and the inflection circle is the smaller one.
 #[test]
 fn circles_of_a_trammel() {
     let (sin, cos) = 0.6_f64.sin_cos();

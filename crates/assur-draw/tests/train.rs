@@ -1,4 +1,4 @@
-//! Drawings of differentials: they hold what they say, wheels mesh, forces and velocities are true.
+//! Drawings of differentials: coordinates are valid, wheels mesh, forces and velocities agree with the pose.
 
 mod forces;
 
@@ -35,7 +35,7 @@ fn magnets() -> Layout {
     layout(Train::planar([20.0, 10.0, 43.0]).unwrap(), 3.0)
 }
 
-/// Angles of all bodies from those of sun and carrier.
+/// Returns the angles of all bodies for given angles of sun and carrier.
 fn turned(layout: &Layout, sun: f64, carrier: f64) -> [f64; 4] {
     let given = |shaft, angle| Input {
         shaft,
@@ -56,7 +56,7 @@ fn at_rest(angles: [f64; 4]) -> TrainPose {
     }
 }
 
-/// A record and the body it belongs to.
+/// A record, with the body whose coordinates it has.
 struct Drawn {
     body: usize,
     record: Vec<f64>,
@@ -67,7 +67,7 @@ impl Drawn {
         self.record[0] == f64::from(kind) && self.record[1] == f64::from(role as u8)
     }
 
-    /// Its places in the coordinates of its body, one row for each of its lines.
+    /// Returns the positions of the record's lines, one list for each line.
     fn lines(&self) -> Vec<Vec<[f64; 2]>> {
         let pairs = |numbers: &[f64]| numbers.chunks(2).map(|two| [two[0], two[1]]).collect();
         match self.record[0] as u8 {
@@ -90,7 +90,7 @@ impl Drawn {
     }
 }
 
-/// The poses of the bodies, and all records, rigid ones first.
+/// Returns the poses of the bodies, and all records: first those fixed to bodies.
 fn drawn(figure: &TrainFigure, pose: &TrainPose) -> (Vec<[f64; 3]>, Vec<Drawn>) {
     let frame = figure.frame(pose);
     let (poses, moving) = frame[1..].split_at(3 * frame[0] as usize);
@@ -118,7 +118,7 @@ fn placed([left, up, angle]: [f64; 3], [x, y]: [f64; 2]) -> [f64; 2] {
     [left + cos * x - sin * y, up + sin * x + cos * y]
 }
 
-/// Everything is finite and within the bounds, every body has a pose, every label a name.
+/// Checks that all coordinates are finite and within the bounds, that every body has a pose, and every label a name.
 fn check_whole(figure: &TrainFigure, pose: &TrainPose, what: &str) {
     let (poses, all) = drawn(figure, pose);
     assert!(poses.iter().flatten().all(|number| number.is_finite()));
@@ -144,7 +144,7 @@ fn check_whole(figure: &TrainFigure, pose: &TrainPose, what: &str) {
     }
 }
 
-/// Numbers from 0 to below 1 that look random (a linear congruence).
+/// A linear congruential generator of numbers from 0 to below 1.
 struct Random(u64);
 
 impl Random {
@@ -160,7 +160,7 @@ impl Random {
         all[(self.next() * all.len() as f64) as usize]
     }
 
-    /// More often few than many.
+    /// Returns a number of teeth; small numbers are more probable.
     fn teeth(&mut self) -> f64 {
         (3.0 * (997.0_f64 / 3.0).powf(self.next())).floor() + 1.0
     }
@@ -209,14 +209,14 @@ fn any_train_is_drawn_within_its_bounds() {
     }
 }
 
-/// How far a direction is beyond a tooth or plate of a wheel, in shares of the pitch: `own` are the
-/// directions of all of them.
+/// Returns the angle from a tooth or plate to a direction, as a share of the pitch, from 0 to 1. `own` has the
+/// directions of all teeth or plates.
 fn share(own: &[f64], direction: f64) -> f64 {
     let pitch = TAU / own.len() as f64;
     ((direction - own[0]) / pitch).rem_euclid(1.0)
 }
 
-/// For each wheel of a body the directions of its teeth, or of the plates that show their north pole.
+/// Returns for each wheel of a body the directions of its teeth, or of the plates with north poles at their faces.
 fn directions(all: &[Drawn], body: usize, view: TrainView) -> Vec<Vec<f64>> {
     let middle = |line: &[[f64; 2]]| {
         let sum = line
@@ -234,7 +234,7 @@ fn directions(all: &[Drawn], body: usize, view: TrainView) -> Vec<Vec<f64>> {
             let wheels = wheels.map(|drawn| {
                 let plates: Vec<(f64, f64)> =
                     drawn.lines().iter().map(|line| middle(line)).collect();
-                // Alternating plates have their north poles at the face and at the back in turn.
+                // On alternating plates the north pole is at the face of one and at the back of the next.
                 let face = plates[0].1;
                 let at_face = plates
                     .iter()
@@ -244,7 +244,7 @@ fn directions(all: &[Drawn], body: usize, view: TrainView) -> Vec<Vec<f64>> {
             wheels.collect()
         }
         Coupling::Contact => {
-            // An involute line of fourteen points to a tooth, the middle two at its tip.
+            // The outline has fourteen points for each tooth; the middle two are at the tip.
             let wheels = of_body.filter(|drawn| drawn.record[0] == 1.0 && drawn.record[2] == 1.0);
             let toothed = wheels.filter_map(|drawn| {
                 let line = &drawn.lines()[0];
@@ -258,8 +258,8 @@ fn directions(all: &[Drawn], body: usize, view: TrainView) -> Vec<Vec<f64>> {
     }
 }
 
-/// Wherever Willis' equation lets the wheels turn, at the line through both centres teeth face gaps, like
-/// poles stand between one another, and north faces south where they alternate.
+/// At all angles that Willis's equation allows, on the centre line of two wheels teeth face gaps. Like plates stand
+/// between one another; alternating plates face each other, north to south.
 #[test]
 fn wheels_mesh_at_all_angles() {
     let planar = |z, k| layout(Train::planar(z).unwrap(), k);
@@ -290,7 +290,7 @@ fn wheels_mesh_at_all_angles() {
             for (body, [x, y, _]) in poses.iter().enumerate().skip(4) {
                 let mut own = wheels(body);
                 let line = y.atan2(*x);
-                // Of a stepped satellite the one of z₂ teeth meets the sun.
+                // The wheel of a stepped satellite with z₂ teeth meets the sun.
                 let z2 = layout.train().teeth(Member::Satellite) as usize;
                 let count = match view {
                     ALTERNATING => z2 / 2,
@@ -309,7 +309,7 @@ fn wheels_mesh_at_all_angles() {
     }
 }
 
-/// The gap is as wide as the layout has it.
+/// Each gap is drawn with the width that the layout gives.
 #[test]
 fn gaps_are_drawn_as_they_are() {
     let layout = magnets();
@@ -331,7 +331,7 @@ fn gaps_are_drawn_as_they_are() {
     assert!((ring - distance - satellite - gaps[1]).abs() < 1e-4);
 }
 
-/// What stands still for an observer is where it was.
+/// Bodies at rest relative to the observer keep their positions.
 #[test]
 fn the_observer_sees_the_frame_turn() {
     let figure = TrainFigure::new(&magnets(), ALIKE);

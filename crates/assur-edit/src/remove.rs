@@ -93,7 +93,8 @@ impl Drawing {
         Ok(())
     }
 
-    /// Removes slides and their drivers. Adds the points of each removed line to `bared` if the line is on the frame.
+    /// Removes slides and their drivers. If a removed slide's line is on the frame, adds the points of this line to
+    /// `bared`.
     fn drop_slides(&mut self, gone: impl Fn(&SlideDocument) -> bool, bared: &mut BTreeSet<String>) {
         let document = &mut self.document;
         let kept: Vec<bool> = document.slides.iter().map(|slide| !gone(slide)).collect();

@@ -1,4 +1,4 @@
-//! Linkages drawn from nothing, and what is refused.
+//! Linkages drawn from an empty sheet, and refused edits.
 
 mod changes;
 mod masses;
@@ -30,7 +30,7 @@ fn done(document: &LinkageDocument, edits: &[Edit]) -> LinkageDocument {
     })
 }
 
-/// A four-bar that is not driven yet: A and D on the frame.
+/// Draws a four-bar with A and D on the frame and without a driver.
 fn four_bar() -> LinkageDocument {
     done(
         &LinkageDocument::default(),
@@ -82,14 +82,14 @@ fn a_four_bar_moves_as_soon_as_it_is_driven() {
     assert_eq!(formula(&driven), "I(frame,AB) → II₂(BC,DC)");
     let again = done(&driven, &[Edit::Drive { link: text("AB") }]);
     assert_eq!(again, drawn);
-    // Of one freedom the driver is another one, not one more.
+    // With one degree of freedom, a new driver replaces the existing one.
     let other = done(&driven, &[Edit::Drive { link: text("DC") }]);
     assert_eq!(other.drivers.len(), 1);
     assert_eq!(other.drivers[0].crank.as_deref(), Some("DC"));
 }
 
-/// The angle of a rocker is measured at its fixed pivot, whichever end was drawn first. A bar whose direction is in use
-/// keeps it.
+/// The angle of a rocker is measured at its fixed pivot, whichever end was drawn first. A bar keeps its direction if a
+/// traced point depends on it.
 #[test]
 fn a_link_to_the_frame_begins_at_its_pivot() {
     let ends = |document: &LinkageDocument| document.links.last().unwrap().points.clone();
@@ -123,7 +123,7 @@ fn what_needs_two_edits_is_told_the_first() {
     assert_eq!(next.mends[0], Mend::Drive(text("AB")));
 }
 
-/// A triangle has nothing to drive: it is locked, and may lose a link.
+/// A triangle fixed to the frame has mobility 0: it is locked, and the advice is to remove a link.
 #[test]
 fn what_is_rigid_is_told_by_its_count() {
     let rigid = done(
@@ -150,7 +150,7 @@ fn what_is_rigid_is_told_by_its_count() {
     );
 }
 
-/// A ring stands with the frame, or is let go.
+/// The same edit fixes a wheel to the frame and releases it.
 #[test]
 fn a_wheel_is_fixed_to_the_frame() {
     let wheel = done(
@@ -165,7 +165,8 @@ fn a_wheel_is_fixed_to_the_frame() {
     assert_eq!(done(&fixed, &[weld]), wheel);
 }
 
-/// Three cranks that are parallel to four decimals: the offer moves every point by less than that, and then they turn.
+/// Three cranks that are parallel only to four decimals. The advised correction moves every point by less than 1e-4,
+/// and then the linkage moves.
 #[test]
 fn what_is_nearly_redundant_is_made_exact() {
     let text = r#"{

@@ -1,4 +1,4 @@
-//! Lengths and angles that are locked, while points are moved.
+//! Locked lengths and angles while points are moved.
 
 mod any;
 
@@ -8,7 +8,7 @@ use assur::Point;
 use assur_edit::{Edit, Edited, edited};
 use assur_file::{LinkDocument, LinkageDocument, PointDocument};
 
-/// Linear congruence (Knuth): the same numbers everywhere.
+/// A linear congruential generator (Knuth), which yields the same numbers on every machine.
 struct Dice(u64);
 
 impl Dice {
@@ -45,7 +45,7 @@ fn at(document: &LinkageDocument, name: &str) -> Point {
     point.unwrap().at.into()
 }
 
-/// The length, or the angle, that a lock has.
+/// Returns the length or angle that a lock holds.
 fn value(document: &LinkageDocument, lock: &[String]) -> f64 {
     let places: Vec<Point> = lock.iter().map(|name| at(document, name)).collect();
     match places[..] {
@@ -63,7 +63,7 @@ fn put(document: &LinkageDocument, point: &str, at: [f64; 2]) -> Edited {
     edited(document, &Edit::Place { point, at }).unwrap()
 }
 
-/// On the circle about a fixed point it stops where that is nearest to the hand, wherever the hand is.
+/// A point locked to a fixed point stops at the point of its circle that is nearest to the target, for any target.
 #[test]
 fn it_stops_at_the_nearest_place() {
     let before = drawing(
@@ -90,14 +90,14 @@ fn it_stops_at_the_nearest_place() {
         );
         assert_eq!(at(&document, "A"), Point::new(1.0, 2.0));
     }
-    // Where the circle passes it is not held.
+    // If the target is on the circle, the point reaches it and is not held.
     let Edited {
         document, is_held, ..
     } = put(&before, "B", [1.0, 7.0]);
     assert!((at(&document, "B") - Point::new(1.0, 7.0)).norm() < 1e-8 && !is_held);
 }
 
-/// Nothing is drawn along without a lock; of a fixed point that is moved itself the other one comes after it.
+/// Points without a lock stay. If a fixed point is moved itself, the points locked to it follow.
 #[test]
 fn what_hangs_on_it_comes_along() {
     let before = drawing(
@@ -122,7 +122,7 @@ fn what_hangs_on_it_comes_along() {
     assert!((at(&document, "B") - at(&before, "B")).norm() > 1.0);
 }
 
-/// A triangle of three lengths, an angle and a length of its own again: the same said twice. About a fixed corner it turns.
+/// Redundant locks hold: a triangle has three locked lengths and two locked angles. It can turn about its fixed corner.
 #[test]
 fn what_is_said_twice_holds() {
     let before = drawing(
@@ -147,7 +147,7 @@ fn what_is_said_twice_holds() {
     );
 }
 
-/// The length that is typed is the one that is locked from then on; the others stay.
+/// If a locked length is typed, the lock holds the new length from then on. Other locked lengths are kept.
 #[test]
 fn a_typed_length_is_the_locked_one() {
     let mut before = drawing(
@@ -172,7 +172,7 @@ fn a_typed_length_is_the_locked_one() {
     assert!((at(&after.document, "B") - Point::new(0.0, 5.0)).norm() < 1e-8);
 }
 
-/// Also where nothing is fixed: the first end stays, the other corner comes along.
+/// The same without fixed points: the first end of the link stays, and the third corner follows.
 #[test]
 fn a_typed_length_of_what_is_free() {
     let mut before = drawing(
@@ -196,7 +196,7 @@ fn a_typed_length_of_what_is_free() {
     }
 }
 
-/// However thin a triangle of three lengths is, it does not turn over, wherever a corner is dragged.
+/// A triangle of three locked lengths never turns over, however thin it is and wherever a corner is dragged.
 #[test]
 fn thin_triangles_do_not_turn_over() {
     let mut dice = Dice(4242);
@@ -229,7 +229,7 @@ fn thin_triangles_do_not_turn_over() {
     }
 }
 
-/// Far from the origin it is as anywhere, as far as the digits of the places go.
+/// Points far from the origin move in the same way, within the precision of their coordinates.
 #[test]
 fn far_from_the_origin_it_moves_alike() {
     for far in [0.0, 1e4, 1e6, 1e8] {
@@ -256,7 +256,7 @@ fn far_from_the_origin_it_moves_alike() {
     }
 }
 
-/// A lock of points that are in one place keeps nothing, and holds nothing back.
+/// A lock of coincident points holds no length or angle, and does not hold a moved point back.
 #[test]
 fn points_in_one_place_have_nothing_to_keep() {
     let before = drawing(
@@ -271,7 +271,7 @@ fn points_in_one_place_have_nothing_to_keep() {
     assert!((value(&document, &document.locks[2]) - 1.0).abs() < 1e-9);
 }
 
-/// A lock of what is not there, of too few or too many, or of one point twice is refused by its place in the list.
+/// A lock with unknown points, too few or too many points, or the same point twice is refused; its index is named.
 #[test]
 fn bad_locks_are_named() {
     for (lock, code) in [
@@ -292,7 +292,7 @@ fn bad_locks_are_named() {
     }
 }
 
-/// Locks are put and taken away, go with the names of their points, and with what is removed, joined and copied.
+/// Locks are set and released. They follow the renaming of points, and the removing, joining and copying of points.
 #[test]
 fn locks_go_with_their_points() {
     let before = drawing(

@@ -1,4 +1,4 @@
-//! The saved form of a differential by time: what is left out, what is read of it, what is refused.
+//! The saved form of a differential driven as a function of time: default fields, reading, refusals.
 
 mod damaged;
 mod loads;
@@ -11,7 +11,7 @@ use assur_file::{
 };
 use serde_json::{Value, json};
 
-/// Three satellites between 20 and 43 plates, as they are written.
+/// A saved train of a sun with 20 plates, three satellites, and a ring with 43.
 fn written() -> Value {
     json!({
         "z1": 20, "z2": 10, "z4": 43,
@@ -23,7 +23,7 @@ fn read() -> GearTrainDocument {
     serde_json::from_value(written()).unwrap()
 }
 
-/// The problems after a change, as they are written.
+/// Returns the serialised problems of the document after a change.
 fn refused(change: impl FnOnce(&mut GearTrainDocument)) -> Vec<Value> {
     let mut document = read();
     change(&mut document);
@@ -35,7 +35,7 @@ fn said(problems: &[Problem]) -> Vec<Value> {
     said.map(Result::unwrap).collect()
 }
 
-/// The same under load.
+/// Returns the serialised problems of the changed document under load.
 fn unloadable(change: impl FnOnce(&mut GearTrainDocument)) -> Vec<Value> {
     refused(|document| {
         document.loaded = true;
@@ -55,7 +55,7 @@ fn out_of_range(field: &str, value: f64, min: f64, max: f64) -> Value {
     json!({"code": "out_of_range", "field": field, "value": value, "min": min, "max": max})
 }
 
-/// One tied to another, in the place of the second drive.
+/// Makes the speed of the second drive a multiple of the speed of another shaft.
 fn tie(document: &mut GearTrainDocument, to: ShaftDocument, factor: f64) {
     document.drives[1].to = Some(to);
     document.drives[1].factor = factor;
@@ -75,7 +75,7 @@ fn what_is_left_out_is_usual() {
     let train = document.train().unwrap();
     assert_eq!(train.turning.free(), Shaft::Carrier);
     assert!(train.layout.can_be_built(train.coupling));
-    // Without a distance of the axes the gaps are equal: (43 − 20 − 2·10)/4 modules.
+    // Without an axis distance the gaps at sun and ring are equal: (43 − 20 − 2·10)/4 modules.
     assert_eq!(train.layout.gaps(), Some([3.0, 3.0]));
     let differential = train.differential.as_ref().unwrap();
     let mut run = train.run(differential).unwrap();
@@ -91,7 +91,7 @@ fn it_is_written_and_read_alike() {
     assert!(matches!(&state.document, Document::GearTrain(document) if *document == read()));
     let again = State::read(&serde_json::to_value(&state).unwrap()).unwrap();
     assert_eq!(again, state);
-    // By its drives a bare document is known.
+    // A bare document is recognised as a train by its `drives`.
     let bare = document_of(&written().to_string()).unwrap();
     assert_eq!(bare, state.document);
 }
@@ -183,7 +183,7 @@ fn wheels_that_cannot_be_are_named() {
     );
     let distance = refused(|d| d.axis_distance_mm = Some(f64::INFINITY));
     assert_eq!(distance, [not_a_number("axis_distance_mm")]);
-    // All at once, each of them one time.
+    // All problems are reported at once, each of them once.
     let several = refused(|d| {
         d.z1 = -1.0;
         d.z4 = f64::NAN;
@@ -199,7 +199,7 @@ fn wheels_that_cannot_be_are_named() {
 #[test]
 fn magnets_do_not_touch() {
     let contact = |mesh: &str, distance: f64, limit: f64| json!({"code": "contact", "mesh": mesh, "distance": distance, "limit": limit});
-    // Wheels of 80, 40 and 172 mm: axes from 60 to 66 mm.
+    // Wheels of 80, 40 and 172 mm: the axis distance must be between 60 and 66 mm.
     assert_eq!(
         refused(|d| d.axis_distance_mm = Some(60.0)),
         [contact("sun", 60.0, 60.0)]
@@ -212,7 +212,7 @@ fn magnets_do_not_touch() {
         refused(|d| d.z2 = 12.0),
         [contact("sun", 63.0, 64.0), contact("ring", 63.0, 62.0)]
     );
-    // Gears do.
+    // Gears may touch.
     let mut gears = read();
     gears.coupling = CouplingDocument::Contact;
     assert!(gears.train().is_ok());
@@ -253,7 +253,7 @@ fn drives_that_determine_nothing_are_named() {
         d.drives[0].to = Some(ShaftDocument::Ring);
         d.drives[0].factor = 0.5;
     };
-    // That is a train at rest, but it cannot be loaded.
+    // Without load this train is at rest; under load it is refused.
     let mut at_rest = read();
     each_other(&mut at_rest);
     assert_eq!(at_rest.train().unwrap().turning.at(5.0).speeds, [0.0; 4]);
@@ -290,7 +290,8 @@ fn numbers_of_drives_are_named_by_their_fields() {
     assert_eq!(fast, [range("drives[0].rpm"), range("drives[1].rpm")]);
     let early = refused(|d| d.drives[0].start_s = -1.0);
     assert_eq!(early, [out_of_range("drives[0].start_s", -1.0, 1e-6, 1e4)]);
-    // Who is not driven can be too fast: −60,000 and 60,000 make 60,000 + 120,000·20/43 of the ring.
+    // A shaft that is not driven may rotate too fast: −60,000 min⁻¹ at the sun and 60,000 at the carrier make 60,000 +
+    // 120,000·20/43 at the ring.
     let free = refused(|d| {
         d.drives[0].rpm = -6e4;
         d.drives[1].rpm = 6e4;

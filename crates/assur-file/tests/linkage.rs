@@ -1,5 +1,4 @@
-//! The saved form of a linkage: what is read is what was meant, and what is broken
-//! says where.
+//! The saved form of a linkage: documents read as they were meant, and problems that name the faulty part.
 
 mod damaged;
 
@@ -17,7 +16,7 @@ fn read(value: &Value) -> Result<LinkageDocument, (String, String)> {
         .map_err(|error| (error.path().to_string(), error.inner().to_string()))
 }
 
-/// A slider-crank on a moving carriage: every kind of part.
+/// A saved slider-crank on a moving carriage, with every kind of part.
 fn everything() -> Value {
     json!({
         "title": "Slider-crank with a wheel",
@@ -59,7 +58,7 @@ fn round_trip() {
     assert_eq!(document.mechanism().map(|_| ()), Ok(()));
     let again = read(&serde_json::to_value(&document).unwrap()).unwrap();
     assert_eq!(again, document);
-    // By the draft all but what is only shown.
+    // The specification has all parts of the document, except those that only affect the view.
     let mut bare = document.clone();
     (bare.title, bare.plots, bare.traces) = (None, Vec::new(), Vec::new());
     assert_eq!(LinkageDocument::new(&document.spec()), bare);
@@ -84,7 +83,7 @@ fn broken_form_names_its_path() {
         *broken.pointer_mut(pointer).unwrap() = value;
         assert_eq!(read(&broken).unwrap_err().0, path);
     }
-    // A key that is not known could be a part left out.
+    // An unknown key is refused, because a misspelt key would silently drop a part.
     let mut misspelt = everything();
     misspelt["links"][0]["lenght"] = json!(2);
     let (path, detail) = read(&misspelt).unwrap_err();
@@ -167,7 +166,7 @@ fn bad_fields_are_named() {
     }
 }
 
-/// Reasons why a draft is no mechanism name links and points.
+/// The reasons why a document is not a mechanism name links and points.
 #[test]
 fn defects_name_their_parts() {
     for (pointer, value, expected) in [
@@ -284,7 +283,7 @@ fn a_draft_is_written_as_it_is() {
     );
 }
 
-/// The examples of the document read, move, and are of every kind of pair.
+/// The examples in docs/file-format.md can be read and move.
 #[test]
 fn the_examples_of_the_document_move() {
     let text = include_str!("../../../docs/file-format.md");
@@ -292,7 +291,7 @@ fn the_examples_of_the_document_move() {
         .split("```json\n")
         .skip(1)
         .map(|rest| rest.split("```").next().unwrap());
-    // The first one is the outline.
+    // The first block is an outline of the format, not an example.
     let examples: Vec<&str> = blocks.skip(1).collect();
     assert_eq!(examples.len(), 7);
     for example in examples {
@@ -309,7 +308,7 @@ fn the_examples_of_the_document_move() {
     }
 }
 
-/// Every name of the catalogue is a mechanism that can be moved.
+/// Every name of the catalogue is a mechanism that moves.
 #[test]
 fn the_catalogue_moves() {
     let mut names = Vec::new();
@@ -335,7 +334,8 @@ fn the_catalogue_moves() {
     assert_eq!(points, ["A", "B", "C", "D", "C1", "C2", "C3", "E5"]);
 }
 
-/// A motion that a change has made is that of the changed document, to the last digit, and of no other.
+/// The motion after a change of a dimension equals, to the last digit, the motion of the changed document. It is not
+/// accepted as the motion of any other document.
 #[test]
 fn a_motion_is_taken_over_only_by_its_document() {
     let mut taken = 0;

@@ -1,5 +1,5 @@
-//! Three hundred damaged states: each is refused with a problem that names a part,
-//! or is a state that can be shown; none panics.
+//! Three hundred damaged states: each is refused with a problem that names a part, or can be shown. None causes a
+//! panic.
 
 use assur::gears::Mate;
 use assur::mixer::{Carrier, Case, Tracer};
@@ -37,7 +37,7 @@ fn problems(text: &str) -> Vec<Problem> {
     }
 }
 
-/// The paths of everything in a state, the whole first.
+/// Collects the paths of a value, beginning with the whole, and of everything in it.
 fn paths(value: &Value, at: &str, all: &mut Vec<String>) {
     all.push(at.to_owned());
     for (key, inner) in value.as_object().into_iter().flatten() {
@@ -71,7 +71,7 @@ fn three_hundred_damaged_states_are_refused() {
         for problem in problems(text) {
             let said = serde_json::to_value(&problem).unwrap();
             assert!(said["code"].is_string(), "{said}");
-            // What is read may not be named by what it holds.
+            // A problem must not repeat text from the damaged state.
             let named = said["field"].as_str().or(said["path"].as_str());
             assert!(named.is_none_or(|name| !name.contains('<')), "{said}");
         }
@@ -82,14 +82,14 @@ fn three_hundred_damaged_states_are_refused() {
         for value in &bad {
             let mut state = whole.clone();
             *state.pointer_mut(place).unwrap() = value.clone();
-            // Any text may name a language, any angle the centre line and the crank.
+            // Any text may be a language; the centre line and the crank may have any angle.
             let text = place == "/view/lang" && value.is_string();
             let angle = place.ends_with("_deg") && value.is_number();
             let slow = place == "/view/speed" && *value == json!(1e-320);
-            // ε₁ may be any number that is not too large, ω₁ any that is not zero.
+            // ε₁ may be any number that is not too large; ω₁ may be any such number except zero.
             let input = ["/view/omega", "/view/epsilon"].contains(&place.as_str());
             let input = input && value.as_f64().is_some_and(|x| x.abs() < 1e4);
-            // A point may be anywhere within reach, or nowhere at all.
+            // A traced point may have any coordinates within reach, and the list of traced points may be empty.
             let near = value.as_f64().is_some_and(|value| value.abs() < 1.0);
             let point = near
                 && ["/tracers/0/x", "/tracers/0/y"]

@@ -1,10 +1,10 @@
-//! The saved form of a path: what is left out, what is shown, what is refused.
+//! The saved form of a path: default fields, the linkage that is shown, refusals.
 
 use assur::synthesis::approximation::Tracing;
 use assur_file::{Document, Kind, PathDocument, State, TracingDocument, document};
 use serde_json::{Value, json};
 
-/// Five points with some fields more.
+/// A saved path of five points, with additional fields.
 fn five(more: &Value) -> Value {
     let mut document = json!({"path": [[0, 0], [1, 0.4], [1.6, 1.2], [1.2, 2.1], [0.2, 2.2]]});
     for (key, value) in more.as_object().unwrap() {
@@ -17,7 +17,7 @@ fn read(document: Value) -> PathDocument {
     serde_json::from_value(document).unwrap()
 }
 
-/// The codes of problems, with their parameters.
+/// Returns the problems of a document: codes with parameters.
 fn refused(document: Value) -> Vec<Value> {
     let problems = read(document).linkage().unwrap_err();
     let said = problems.iter().map(serde_json::to_value);
@@ -94,7 +94,8 @@ fn what_is_wrong_is_named() {
     assert!(misspelt.is_err());
 }
 
-/// Three points at given crank angles, which leave a family, are met exactly; points in line at given angles are no slide.
+/// Three points with crank angles leave a family of linkages, so they are met exactly. Points in line with crank angles
+/// are not a special path.
 #[test]
 fn points_at_crank_angles_are_met() {
     let document = read(json!({"path": [[0, 0], [2, 0.3], [3, -0.4]], "angles_deg": [0, 40, 100]}));
@@ -112,7 +113,7 @@ fn points_at_crank_angles_are_met() {
     assert_eq!(line.task().unwrap().target.special(), None);
 }
 
-/// Points in line are met by a slide, points on a circle by a crank.
+/// A slide passes through points in line, and a crank passes through points on a circle.
 #[test]
 fn special_paths_have_exact_linkages() {
     for points in [

@@ -1,9 +1,9 @@
-//! The saved form of poses of a body: what is left out, what is shown, what is refused.
+//! The saved form of poses of a body: default fields, the linkage that is shown, refusals.
 
 use assur_file::{Document, Kind, PosesDocument, State, document};
 use serde_json::{Value, json};
 
-/// Three poses with some fields more.
+/// Three saved poses, with additional fields.
 fn three(more: &Value) -> Value {
     let mut document = json!({"poses": [
         {"x": 0, "y": 0, "angle_deg": 0},
@@ -20,7 +20,7 @@ fn read(document: Value) -> PosesDocument {
     serde_json::from_value(document).unwrap()
 }
 
-/// The codes of problems, with their parameters.
+/// Returns the problems of a document: codes with parameters.
 fn refused(document: Value) -> Vec<Value> {
     let problems = read(document).linkage().unwrap_err();
     let said = problems.iter().map(serde_json::to_value);
@@ -32,9 +32,9 @@ fn what_is_left_out_is_usual() {
     let document = read(three(&json!({})));
     assert!(document.body.is_empty() && document.hinges.is_empty());
     let found = document.guidance().unwrap();
-    // A fifth of the greatest distance, 3.7, is between 0.5 and 1.
+    // The size of the body is 0.5, because a fifth of the greatest distance of 3.7 is between 0.5 and 1.
     assert_eq!(found.body[1], [0.5, 0.0].into());
-    // Its first and last corners are the hinges.
+    // Without wanted hinges, the first and last corners of the body are hinges.
     assert_eq!((found.solutions.dyads.len(), found.number), (2, Some(0)));
     let state = json!({"format": 2, "kind": "poses", "document": three(&json!({}))});
     let state = State::read(&state).unwrap();
@@ -46,7 +46,7 @@ fn what_is_left_out_is_usual() {
     assert!(misspelt.is_err());
 }
 
-/// A pivot has the same distance from its circle point in all poses; a hinge of the body is where it is wanted.
+/// A wanted pivot has the same distance from its circle point in all poses; a wanted hinge of the body keeps its place.
 #[test]
 fn hinges_are_where_they_are_wanted() {
     let hinges = json!({"hinges": [{"frame": [-1, 1.6]}, {"body": [0.25, -0.5]}]});
@@ -59,7 +59,7 @@ fn hinges_are_where_they_are_wanted() {
     };
     let (ends, joints) = ([at("A"), at("D")], [at("B"), at("C")]);
     assert!(ends.contains(&[-1.0, 1.6]), "{ends:?}");
-    // In the first pose the body's coordinates are those of the frame.
+    // In the first pose, the coordinates of the body coincide with those of the frame.
     let off = |[x, y]: [f64; 2]| (x - 0.25).hypot(y + 0.5);
     assert!(joints.iter().any(|joint| off(*joint) < 1e-12), "{joints:?}");
     for dyad in &found.solutions.dyads {
@@ -67,13 +67,13 @@ fn hinges_are_where_they_are_wanted() {
     }
 }
 
-/// A place of the body in its own coordinates, and back.
+/// A position is converted from the body's own coordinates to those of the frame, and back.
 #[test]
 fn places_of_the_body_go_to_and_fro() {
     let found = read(three(&json!({}))).guidance().unwrap();
     let at = [0.3, -0.7].into();
     let placed = found.placed(at, 2);
-    // Turned by 90° and moved by (1.5, 3.4).
+    // The third pose is turned by 90° and displaced by (1.5, 3.4).
     assert!((placed.x - 2.2).abs() < 1e-12 && (placed.y - 3.7).abs() < 1e-12);
     assert!((found.own(found.first(placed)) - at).norm() < 1e-12);
 }
@@ -120,7 +120,7 @@ fn faults_name_their_fields() {
     );
 }
 
-/// Parallel poses on no line and no circle: there is a task, but no linkage.
+/// Parallel poses whose origins are neither in line nor on a circle: there is a task, but no linkage.
 #[test]
 fn poses_without_a_linkage_are_a_task() {
     let at = |x: f64, y: f64| json!({"x": x, "y": y, "angle_deg": 30});
@@ -130,8 +130,8 @@ fn poses_without_a_linkage_are_a_task() {
     assert_eq!(refused(poses), [json!({"code": "no_guidance"})]);
 }
 
-/// The five poses of the catalogue are of a crank-rocker with crank 1.5, coupler 4.5, rocker 3.5 and frame 4, rounded to
-/// a thousandth; it is among the pairs.
+/// The five poses of the catalogue are those of a crank-rocker with crank 1.5, coupler 4.5, rocker 3.5 and frame 4,
+/// rounded to a thousandth. This crank-rocker is among the pairs.
 #[test]
 fn the_five_poses_of_the_catalogue_give_their_linkage_back() {
     let Some(Ok(Document::Poses(document))) = document("poses-five") else {
@@ -154,7 +154,7 @@ fn the_five_poses_of_the_catalogue_give_their_linkage_back() {
     for dyad in &found.solutions.dyads {
         assert!(dyad.residual(&found.task) < 1e-10);
     }
-    // The best is the linkage that is shown; it has no defect.
+    // The best pair is the one that is shown, and it has no defect.
     let best = &found.solutions.linkages[found.order[0]];
     assert_eq!(found.shown(), Some(best));
     assert!(best.unmet(&found.requirements()).is_empty(), "{best:?}");

@@ -1,9 +1,9 @@
-//! The saved form of a scheme: what is left out, what is read of it, what is refused.
+//! The saved form of a scheme: default fields, reading, refusals.
 
 use assur_file::{Document, SchemeDocument, State, document, document_of, from_text, schemes};
 use serde_json::{Value, json};
 
-/// A four-bar as it is written.
+/// A saved four-bar.
 fn four_bar() -> Value {
     let pairs = [
         ("A", "0", "1"),
@@ -16,14 +16,14 @@ fn four_bar() -> Value {
     json!({"ground": "0", "planar": true, "pairs": pairs})
 }
 
-/// The four-bar with some of it other.
+/// Returns the document of the four-bar after a change.
 fn changed(change: impl FnOnce(&mut Value)) -> SchemeDocument {
     let mut document = four_bar();
     change(&mut document);
     serde_json::from_value(document).unwrap()
 }
 
-/// What is wrong with the four-bar after a change, and with its cuts.
+/// Returns the problems of the four-bar and of its cuts after a change.
 fn refused(change: impl FnOnce(&mut Value)) -> Vec<Value> {
     let document = changed(change);
     let problems = document
@@ -55,7 +55,7 @@ fn what_is_left_out_is_usual() {
 fn a_bare_document_with_pairs_is_a_scheme() {
     let read = document_of(&four_bar().to_string()).unwrap();
     assert!(matches!(read, Document::Scheme(_)));
-    // It has no motion: who asks for a linkage hears it.
+    // A scheme has no motion, so reading it as a linkage is refused.
     let problem = from_text(&four_bar().to_string()).unwrap_err();
     assert_eq!(
         serde_json::to_value(&problem[0]).unwrap(),

@@ -1,9 +1,9 @@
-//! The saved form of a synthesis: what is left out, what is shown, what is refused.
+//! The saved form of a synthesis: default fields, the linkage that is shown, refusals.
 
 use assur_file::{Document, FunctionDocument, Kind, State, SynthesisDocument};
 use serde_json::{Value, json};
 
-/// The example of the paper with some fields more.
+/// The example of the paper, with additional fields.
 fn document(more: &Value) -> Value {
     let mut document = json!({
         "frame": 10.4,
@@ -19,7 +19,7 @@ fn read(more: &Value) -> SynthesisDocument {
     serde_json::from_value(document(more)).unwrap()
 }
 
-/// The codes of problems, with their parameters.
+/// Returns the problems of a document: codes with parameters.
 fn refused(more: &Value) -> Vec<Value> {
     let problems = read(more).linkage().unwrap_err();
     let said = problems.iter().map(serde_json::to_value);
@@ -51,14 +51,14 @@ fn what_is_left_out_is_usual() {
     assert!(misspelt.is_err());
 }
 
-/// theory.md: l₁ = 9.31217191060936 and l₃ = 5.11281237799864 for l₂ = 5.
+/// The member of the family with l₂ = 5 has l₁ = 9.31217191060936 and l₃ = 5.11281237799864.
 #[test]
 fn a_member_is_meant_by_its_output() {
     let [l1, l2, l3] = lengths(&json!({"member": [5, 1]}));
     for (found, exact) in [(l1, 9.31217191060936), (l2, 5.0), (l3, 5.11281237799864)] {
         assert!((found - exact).abs() < 1e-10, "{found} {exact}");
     }
-    // However short, it is of the family; beyond it the end is shown of what is searched.
+    // A short l₂ still belongs to the family. For an l₂ beyond the family, the last member searched is shown.
     assert_eq!(lengths(&json!({"member": [1e-3, 1]}))[1], 1e-3);
     let [l1, l2, l3] = lengths(&json!({"member": [1e5, 1]}));
     assert!(
@@ -68,7 +68,7 @@ fn a_member_is_meant_by_its_output() {
     assert_eq!(lengths(&json!({"trial": [10, 5, 4]})), [10.0, 5.0, 4.0]);
 }
 
-/// The rocker of the drawing has φ₂, that of the linkage for the simulator half a turn more.
+/// The rocker's angle is φ₂ in the drawing, and φ₂ + 180° in the linkage for the simulator.
 #[test]
 fn angles_are_those_of_the_paper() {
     let solved = read(&json!({"member": [5, 5]})).synthesis().unwrap();
@@ -138,7 +138,7 @@ fn what_is_wrong_is_named() {
     assert_eq!(codes(&json!({"trial": [100, 1, 1]})), ["too_long"]);
 }
 
-/// log₁₀ x from 1 to 2 over 60° of either link.
+/// A saved function log₁₀ x from 1 to 2, over 60° of both links.
 fn function(of: &Value) -> Value {
     json!({"of": of, "x": [1, 2], "input_deg": [90, 150], "output_deg": [210, 270]})
 }
@@ -147,7 +147,8 @@ fn wanted(of: &Value) -> FunctionDocument {
     serde_json::from_value(function(of)).unwrap()
 }
 
-/// Positions on a function at Chebyshev's places or in even steps; the document keeps it and is refused with a bad one.
+/// A function yields positions with Chebyshev spacing or in even steps. The document keeps the function, and is refused
+/// if the function is invalid.
 #[test]
 fn functions_give_positions() {
     let log = wanted(&json!("log10"));

@@ -1,4 +1,4 @@
-//! Which links of PMKS+ are one body: welded parts, what the frame holds, and the slides of both.
+//! Links of PMKS+ that form one body: welded parts, links held by the frame, and slides of both.
 
 use assur::mechanism::Defect;
 use assur::motion::Motion;
@@ -8,13 +8,13 @@ use assur_import::{Imported, LeftOut, read};
 use super::published::keeps_its_lengths;
 use assur_tests::damage::checked;
 
-/// A third link at a joint where two parts of a link are welded together.
+/// URL of a linkage with a third link at a joint where two parts of a link are welded together.
 const WELD_THIRD: &str = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.1011.6A,A,0,0,0.0B,B,0,Fe,0.0C,C,ku,NS,0.8D,D,_W,ku,0.\
     0E,E,1E8,_W,0.4F,F,_W,0,0.4G,G,1Tm,ku,0..YRAB,AB,Fe,Fe,0,0,c5cae9,A,B,,.YRBC,BC,Fe,Fe,0,0,c5cae9,B,C,,.\
     YRCDE,CDE,Fe,Fe,0,0,c5cae9,C,D,E,,CD,DE.YRDF,DF,Fe,Fe,0,0,c5cae9,D,F,,.NRCD,CD,Fe,Fe,0,0,c5cae9,C,D,,.\
     NRDE,DE,Fe,Fe,0,0,c5cae9,D,E,,...N_y";
 
-/// A coupler that slides through a block of a link that is welded to the ground.
+/// URL of a linkage whose coupler slides through a block of a link that is welded to the ground.
 const FIXED_GUIDE: &str = "https://app.pmksplus.com/?2P.Ay,1E8.K,0.1011.6A,A,0,0,0.0B,B,0,Fe,0.0C,C,ku,0,0.0E,E,1jO,0,0.\
     CG,G,1E8,VG,0.8M,M,1E8,0,0.1P,P,1E8,0,0,CE,C,E..YRAB,AB,Fe,Fe,0,0,c5cae9,A,B,,.YRBC,BC,Fe,Fe,0,0,c5cae9,B,C,,.\
     YRCE,CE,Fe,Fe,0,0,c5cae9,C,E,,.YRGM,GM,Fe,Fe,0,0,c5cae9,G,M,,.YPMP,MP,Fe,Fe,0,0,c5cae9,M,P,,...N_Q";
@@ -25,7 +25,7 @@ const DRIVEN: u8 = 2;
 const GROUND: u8 = 4;
 const WELDED: u8 = 8;
 
-/// A number to the base 64, as such links have it.
+/// Returns a number in base 64, as URLs of PMKS+ contain it.
 fn coded(mut value: i64) -> String {
     let digits = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
     let sign = if value < 0 { "0" } else { "" };
@@ -38,7 +38,8 @@ fn coded(mut value: i64) -> String {
     format!("{sign}{text}")
 }
 
-/// A link of joints (flags, name, place in thousandths) and members (`YR` or `YP` or, of a part, `NR`; name, joints, parts).
+/// Returns the URL of joints (flags, name, position in thousandths) and members (`YR`, `YP` or, for a part, `NR`; then
+/// name, joints, parts).
 fn link(joints: &[(u8, &str, [i64; 2])], members: &[(&str, &str, &str, &str)]) -> String {
     let joints = joints.iter().map(|(flags, name, [x, y])| {
         let [flags, x, y] = [i64::from(*flags), *x, *y].map(coded);
@@ -57,7 +58,7 @@ fn link(joints: &[(u8, &str, [i64; 2])], members: &[(&str, &str, &str, &str)]) -
     ))
 }
 
-/// The crank-rocker A–B–C–D with AB = 1, BC = 4, CD = 2.26, DA = 4, and E beyond D.
+/// Joints of the crank-rocker A–B–C–D with AB = 1, BC = 4, CD = 2.26, DA = 4, and of E beyond D.
 fn four_bar(flags_of_d: u8) -> Vec<(u8, &'static str, [i64; 2])> {
     vec![
         (DRIVEN | GROUND, "A", [0, 0]),
@@ -76,7 +77,7 @@ fn links(document: &LinkageDocument) -> Vec<&str> {
         .collect()
 }
 
-/// A linkage of one freedom whose crank turns fully.
+/// Returns the motion of a linkage, which must have one degree of freedom and a crank that turns fully.
 fn turns(imported: &Imported) -> Motion {
     let motion = imported.document.motion().unwrap();
     assert_eq!(motion.mechanism().counts().mobility, 1);
@@ -107,14 +108,14 @@ fn a_third_link_at_welded_parts_is_hinged() {
         _ => None,
     });
     assert_eq!(freedoms, Some(2), "{problems:?}");
-    // With both links on the frame driven it moves, and keeps its lengths.
+    // If both links on the frame are driven, the linkage moves and keeps its lengths.
     let imported = read(&WELD_THIRD.replace(".4F,F", ".6F,F")).unwrap();
     let motion = imported.document.motion().unwrap();
     assert_eq!(motion.mechanism().counts().mobility, 2);
     assert_eq!(keeps_its_lengths("weld", &imported.document, &motion), 6);
 }
 
-/// Welded links without parts are one link.
+/// Welded links without common parts become one link.
 #[test]
 fn links_that_are_welded_without_parts_are_one() {
     let members = [
@@ -129,7 +130,7 @@ fn links_that_are_welded_without_parts_are_one() {
     assert_eq!(imported.document.links[2].points, ["D", "C", "E"]);
 }
 
-/// A bell crank: on the ground welded parts turn about their joint.
+/// Parts welded at a joint on the ground turn about this joint together, as a bell crank.
 #[test]
 fn welded_parts_turn_about_a_joint_on_the_ground() {
     let members = [
@@ -156,7 +157,7 @@ fn a_link_slides_through_a_block_on_the_frame() {
     assert_eq!(on, ["frame", "M", "CE"]);
     assert_eq!(slide.line, ["C", "E"]);
     let motion = turns(&imported);
-    // M stands still, the line goes through it and keeps its direction: C stays at y = 0.
+    // M is fixed. The line passes through M and keeps its direction, so C stays at y = 0.
     let mechanism = motion.mechanism();
     let place = |name: &str, input: f64| {
         let pose = motion.pose::<1>(input).unwrap();
@@ -173,7 +174,7 @@ fn a_link_slides_through_a_block_on_the_frame() {
     }
 }
 
-/// What is hinged on the frame at one point and slides along the frame does not move.
+/// A body hinged to the frame at one point that also slides along the frame does not move.
 #[test]
 fn a_block_whose_pin_is_fixed_is_part_of_the_frame() {
     let mut joints = four_bar(GROUND);
@@ -190,7 +191,7 @@ fn a_block_whose_pin_is_fixed_is_part_of_the_frame() {
     assert_eq!(imported.document.slides, []);
 }
 
-/// A guide that is a link between two anchors is part of the frame, and so is its line; also where the block is driven.
+/// A guide link between two anchors belongs to the frame with its line, even if the block on it is driven.
 #[test]
 fn a_block_slides_on_a_link_that_is_fixed() {
     let joints = |driven: [u8; 2]| {
@@ -224,7 +225,7 @@ fn a_block_slides_on_a_link_that_is_fixed() {
     };
     assert_eq!((driver.slide, driver.range), (Some(0), Some([0.0, 5.0])));
     let motion = imported.document.motion().unwrap();
-    // C comes as far as AB and BC are long together, and as near as they differ: 1 + √10 and √10 − 1 from A.
+    // C reaches distances from A between the difference of BC and AB and their sum: √10 − 1 and √10 + 1.
     let [[from, to]] = motion.cycle().arcs()[..] else {
         panic!("{:?}", motion.cycle());
     };

@@ -1,4 +1,4 @@
-//! Damaged links and files: a problem, or a document that is sound and moves; no panic.
+//! Damaged URLs and files: each yields a problem, or a valid document whose motion is finite. None causes a panic.
 
 mod named;
 
@@ -18,10 +18,10 @@ use serde_json::Value;
 
 /// Maximum number of live bytes while a text is read and moved, and its table and summary are made.
 const ROOM: u64 = 64 << 20;
-/// Rows of a table.
+/// Number of rows of a table.
 const ROWS: f64 = 72.0;
 
-/// Links and files of other programs.
+/// Returns the URLs and files of other programs.
 fn published() -> Vec<String> {
     let text = include_str!("published/pmks.txt");
     let links = text.lines().filter_map(|line| line.splitn(3, " | ").nth(2));
@@ -29,7 +29,7 @@ fn published() -> Vec<String> {
     links.map(str::to_owned).chain(files).collect()
 }
 
-/// Files of our own.
+/// Returns files of Assur.
 fn saved() -> Vec<String> {
     let folders = [
         "crates/assur-file/catalogue",
@@ -40,7 +40,7 @@ fn saved() -> Vec<String> {
     all.filter(|text| from_text(text).is_ok()).collect()
 }
 
-/// What an imported document must be, whatever the text: no wrong names, no number that is none.
+/// Checks an imported document: its names are valid and its numbers are finite.
 fn sound(Imported { document, .. }: &Imported) {
     let places = document.points.iter().flat_map(|point| point.at);
     assert!(places.into_iter().all(f64::is_finite));
@@ -72,7 +72,7 @@ fn sound(Imported { document, .. }: &Imported) {
     }
 }
 
-/// Whether a document moves; then all numbers of its table and of its summary are finite.
+/// Returns whether a document moves. If so, checks that all numbers of its table and summary are finite.
 fn moves(document: &LinkageDocument) -> bool {
     let Ok(motion) = document.motion() else {
         return false;
@@ -119,7 +119,7 @@ fn moves(document: &LinkageDocument) -> bool {
     true
 }
 
-/// Damaged texts, counted.
+/// Counts of damaged texts.
 #[derive(Default)]
 struct Seen {
     texts: usize,
@@ -132,7 +132,7 @@ struct Seen {
 }
 
 impl Seen {
-    /// Opens a text and moves what is in it.
+    /// Reads a text and moves the mechanism in it.
     fn see(&mut self, text: &str) {
         let mut found = Ok(None);
         let began = Instant::now();
@@ -167,7 +167,7 @@ fn thousands_of_damaged_texts_are_refused_or_sound() {
     for text in published() {
         for k in 0..scaled(40) {
             let mut worse = with_other_letters(&text, 1 + k % 3, &mut dice);
-            // Else the check character would find nearly all of them.
+            // Without a correct check character, nearly all damaged texts would be refused at once.
             if k % 2 == 0 && !worse.contains("j=") && !worse.contains('<') {
                 worse = checked(&worse);
             }

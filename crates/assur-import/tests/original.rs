@@ -1,4 +1,4 @@
-//! Links of the first PMKS: what their joints come to.
+//! URLs of the first PMKS, and the pairs made from their joints.
 
 use std::f64::consts::TAU;
 
@@ -22,7 +22,7 @@ fn moving(document: &LinkageDocument) -> Motion {
     motion
 }
 
-/// The x of a point over a turn.
+/// Returns the x coordinate of a point at twelve inputs over a turn.
 fn run(motion: &Motion, point: &str) -> Vec<f64> {
     let mechanism = motion.mechanism();
     let point = mechanism.point(point).unwrap();
@@ -37,7 +37,8 @@ fn run(motion: &Motion, point: &str) -> Vec<f64> {
         .collect()
 }
 
-/// A crank of 10 and a coupler of 20 on the line y = 2: x = r cos φ + √(l² − (r sin φ − e)²).
+/// A crank of 10 and a coupler of 20, whose end slides on the line y = 2: x = r cos φ + √(l² − (r sin φ − e)²). The
+/// order of the links of the slide does not matter.
 #[test]
 fn a_sliding_block_is_the_same_from_both_sides() {
     let rest = "mech=ground,a,R,0,0,0,fffT|a,b,R,10,0,0,ffff|b,c,R,29.8997487421324,2,0,ffff|";
@@ -61,10 +62,10 @@ fn a_sliding_block_is_the_same_from_both_sides() {
     }
 }
 
-/// The slot of a pin is on the first link, the pin on the second, the ground as well.
+/// The first link of a pin in a slot has the slot, the second has the pin. Either may be the ground.
 #[test]
 fn a_pin_slides_in_the_slot_of_the_first_link() {
-    // A lever that turns about (0, -2), its slot through the crank's pin at (0, 1).
+    // A lever on the pivot (0, −2). The crank's pin, drawn at (0, 1), slides in its slot.
     let lever = "mech=ground,crank,R,0,0,ffft|ground,lever,R,0,-2|lever,crank,RP,0,1,90|";
     let imported = opened(lever);
     let motion = moving(&imported.document);
@@ -73,7 +74,7 @@ fn a_pin_slides_in_the_slot_of_the_first_link() {
         panic!("{:?}", imported.document.slides);
     };
     assert_eq!((slide.on.as_str(), slide.point.as_str()), ("lever", "C"));
-    // A coupler that slides over a pin of the ground: its line goes through (5, 0) always.
+    // A coupler that slides over a pin of the ground: its line always passes through (5, 0).
     let swinging = "mech=ground,crank,R,0,0,ffft|crank,coupler,R,2,0|coupler,ground,RP,5,0,0|";
     let imported = opened(swinging);
     let motion = moving(&imported.document);
@@ -122,7 +123,7 @@ fn the_driver_is_what_is_told_or_the_first_pair() {
         assert_eq!(imported.document.frame, ["B", "E"]);
         moving(&imported.document);
     }
-    // A slide on the ground without a range; a pin in a slot has two freedoms.
+    // A driven slide on the ground has no range in the URL.
     let slider = |letters: &str| {
         format!("set=s-50|e0.1&mech=ground,a,R,0,0|a,b,R,1,0|b,c,R,4,0|c,ground,P,4,0,0,{letters}|")
     };
@@ -131,7 +132,8 @@ fn the_driver_is_what_is_told_or_the_first_pair() {
         panic!("{:?}", imported.document.drivers);
     };
     assert_eq!(driver.slide, Some(0));
-    // The pin is in the middle of its line of 0.3 of the drawing's size, and goes as far as that on both sides.
+    // The pin is at the middle of its line, whose length is 0.3 of the drawing's size 4. The range extends by this size
+    // on both sides.
     let [min, max] = driver.range.unwrap();
     assert!((min + 3.4).abs() < 1e-12 && (max - 4.6).abs() < 1e-12);
     let point = "D".to_owned();

@@ -1,10 +1,10 @@
-//! Links and files that people have published: each opens, moves where it moves in the program that it is from, and
-//! keeps its lengths. Where that program moves it wrongly or not at all the test has the number of the issue.
+//! Published URLs and files: each opens, moves if it moves in the program that it is from, and keeps its lengths. If
+//! that program moves it wrongly or not at all, the test names the issue.
 //!
-//! `published/pmks.txt` has links with where they were found. The files in `published/linkage2` are the samples that
-//! come with Linkage (<https://github.com/rectorsquid/Linkage>, `samplegallery` of its source), without colours and
-//! selections; `issue-12.linkage2` is drawn after what is said in that issue, whose own file is not public any more.
-//! `published/expected.txt` has what each comes to: `name | W | motion | what was left out`.
+//! `published/pmks.txt` lists URLs with the places where they were found. The files in `published/linkage2` are the
+//! samples that come with Linkage (<https://github.com/rectorsquid/Linkage>, `samplegallery` of its source), without
+//! colours and selections; `issue-12.linkage2` is drawn after the description in that issue, whose own file is no
+//! longer public. `published/expected.txt` has the expected result for each: `name | W | motion | what was left out`.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -20,7 +20,7 @@ fn place(name: &str) -> String {
     format!("{}/tests/published/{name}", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// All that is published, by name.
+/// Returns all published texts by name.
 fn published() -> BTreeMap<String, String> {
     let text = fs::read_to_string(place("pmks.txt")).unwrap();
     let links = text.lines().filter(|line| !line.starts_with('#'));
@@ -46,7 +46,7 @@ fn motion(name: &str) -> Motion {
     opened(name).document.motion().unwrap()
 }
 
-/// Inputs over all arcs, their ends among them.
+/// Returns inputs over all arcs, including the ends of the arcs.
 fn inputs(motion: &Motion, steps: usize) -> impl Iterator<Item = f64> {
     let arcs = motion.cycle().arcs().to_vec().into_iter();
     arcs.flat_map(move |[from, to]| {
@@ -54,8 +54,8 @@ fn inputs(motion: &Motion, steps: usize) -> impl Iterator<Item = f64> {
     })
 }
 
-/// The points of every link keep the distances that are drawn, and every equation of its pairs is fulfilled, at every
-/// input; how many distances there are.
+/// Checks at every input that the points of each link keep their drawn distances, and that the equations of all pairs
+/// hold. Returns the number of distances.
 pub(crate) fn keeps_its_lengths(name: &str, document: &LinkageDocument, motion: &Motion) -> usize {
     let mechanism = motion.mechanism();
     let size = mechanism.size();
@@ -74,7 +74,7 @@ pub(crate) fn keeps_its_lengths(name: &str, document: &LinkageDocument, motion: 
         }
     }
     for input in inputs(motion, 180) {
-        // At the end of an arc links are in line, and there half of the digits are left.
+        // At the end of an arc links are in line, and only half of the digits are exact.
         let Ok(pose) = motion.pose::<1>(input) else {
             continue;
         };
@@ -141,7 +141,7 @@ fn what_is_published_opens_and_moves() {
     assert!(lengths > 400, "{lengths}");
 }
 
-/// PMKS-Web/PMKSWeb, issue 91: the positions of this four-bar were wrong. At the ends of its motion coupler and rocker
+/// PMKS-Web/PMKSWeb, issue 91: the positions of this four-bar were wrong. At the ends of its motion, coupler and rocker
 /// are in line.
 #[test]
 fn issue_91_of_pmks_ends_where_its_links_are_in_line() {
@@ -178,8 +178,8 @@ fn issue_92_of_pmks_keeps_its_lengths() {
     assert_eq!(structure, "I(frame,AB) → II₂(CBD,CFG) → II₂(DE,FE)");
 }
 
-/// PMKS-Web/PMKSWeb, issues 49, 164 and 199: could not be simulated, with a point listed twice, a weld at a slider and
-/// three joints in a line.
+/// PMKS-Web/PMKSWeb, issues 49, 164 and 199: linkages that could not be simulated, with a point listed twice, a weld at
+/// a slider, and three joints in a line.
 #[test]
 fn what_pmks_could_not_simulate_moves() {
     for (name, least) in [("issue 49", 3.3), ("issue 164", 6.2), ("issue 199", 3.6)] {
@@ -192,8 +192,8 @@ fn what_pmks_could_not_simulate_moves() {
     }
 }
 
-/// rectorsquid/Linkage, issue 12: a link that is hinged at three points, none of which is known before, cannot be
-/// computed there and stretches. It is a group of class III.
+/// rectorsquid/Linkage, issue 12: a link hinged at three unknown points belongs to a group of class III. That program
+/// cannot compute it, and the link stretches.
 #[test]
 fn issue_12_of_linkage_is_a_group_of_class_iii() {
     let imported = opened("issue-12.linkage2");
@@ -206,7 +206,7 @@ fn issue_12_of_linkage_is_a_group_of_class_iii() {
     assert!(formula.contains("III"), "{formula}");
 }
 
-/// Lengths are in the unit that the program shows: 96 units of a file are an inch.
+/// Lengths are in the unit that the program shows; 96 units of a file are one inch.
 #[test]
 fn lengths_of_linkage_are_in_its_unit() {
     let size = |name: &str| opened(name).document.points[1].at;

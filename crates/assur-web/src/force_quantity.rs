@@ -32,7 +32,7 @@ pub(crate) enum Part {
 impl Part {
     const ALL: [Self; 4] = [Self::Magnitude, Self::X, Self::Y, Self::Moment];
 
-    /// What follows the kind of force in a name.
+    /// Ending of a name, after the kind of force.
     fn ending(self) -> &'static str {
         match self {
             Self::Magnitude => "",
@@ -65,8 +65,9 @@ impl ForceQuantity {
         found.next()
     }
 
-    /// Name of the quantity: `B.reaction`, `B.reaction_x`, `crank.torque`, `slider.force`. A point with several pairs is
-    /// followed by the link on which the reaction acts and the link from which it comes: `C-slider-rod.reaction`.
+    /// Name of the quantity: `B.reaction`, `B.reaction_x`, `crank.torque`, `slider.force`. If a point has several
+    /// pairs, the link on which the reaction acts and the link from which it comes follow the point:
+    /// `C-slider-rod.reaction`.
     pub(crate) fn name(self, of: &Forces) -> String {
         let mechanism = &of.mechanism;
         match self {
@@ -97,8 +98,8 @@ impl ForceQuantity {
         }
     }
 
-    /// Heading of its column in a table: the name with the unit, `B.reaction_N`, `crank.torque_N_m`. A document without a
-    /// unit of lengths has no units of forces.
+    /// Heading of the quantity's column in a table: the name with the unit, `B.reaction_N`, `crank.torque_N_m`. A
+    /// document without a unit of lengths has no units of forces.
     pub(crate) fn heading(self, of: &Forces, document: &LinkageDocument) -> String {
         let unit = match document.unit {
             None | Some(LengthUnit::None) => "",
@@ -108,7 +109,7 @@ impl ForceQuantity {
         self.name(of) + unit
     }
 
-    /// Whether it is a torque; otherwise it is a force.
+    /// Whether the quantity is a torque; otherwise it is a force.
     pub(crate) fn is_torque(self, of: &Forces) -> bool {
         match self {
             Self::Reaction(_, part) | Self::Shaking(part) => part == Part::Moment,
@@ -133,7 +134,7 @@ impl ForceQuantity {
         })
     }
 
-    /// The axis of its plot.
+    /// The axis of the quantity's plot.
     pub(crate) fn axis(self, of: &Forces) -> Axis {
         Axis {
             name: Some(self.name(of)),
@@ -150,7 +151,7 @@ impl ForceQuantity {
         }
     }
 
-    /// Role of its curve.
+    /// Role of the quantity's curve.
     pub(crate) fn role(self, of: &Forces) -> Role {
         match self {
             Self::Reaction(_, Part::Magnitude) => Role::Reaction,
@@ -162,7 +163,7 @@ impl ForceQuantity {
         }
     }
 
-    /// Whether its greatest value over the motion is listed.
+    /// Whether the quantity's greatest value over the motion is listed.
     pub(crate) fn is_greatest(self) -> bool {
         let parts = matches!(
             self,

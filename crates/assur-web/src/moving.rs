@@ -66,7 +66,7 @@ pub(crate) struct Moving {
     against: OnceCell<Against>,
     /// Sheets of the velocity and acceleration polygons, computed when first drawn.
     polygon_sheets: OnceCell<[PolygonSheet; 2]>,
-    /// The linkage under load, made when forces are first asked for if nothing acts on it.
+    /// The linkage under load. If nothing acts on the linkage, this is made when forces are first requested.
     forces: OnceCell<Forces>,
     /// Speed and acceleration of the input for forces: ω₁ and ε₁ of the view, whatever the axes.
     rates: [f64; 2],
@@ -220,7 +220,7 @@ impl Moving {
         &self.polygon_sheets
     }
 
-    /// Loading and order of equilibrium.
+    /// Returns the loading of the linkage with the order in which its reactions are found.
     pub(crate) fn forces(&self) -> &Forces {
         let of_masses = || Forces::of_masses(&self.document, self.mechanism(), self.rates);
         self.forces.get_or_init(of_masses)

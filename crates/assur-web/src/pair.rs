@@ -37,7 +37,7 @@ impl<C> Pair<C> {
         }
     }
 
-    /// The quantities of both axes, without duplicates and without columns of which `of` is none.
+    /// The quantities of both axes, without duplicates and without columns for which `of` returns none.
     pub(crate) fn quantities<Q: PartialEq>(&self, of: impl Fn(&C) -> Option<Q>) -> Vec<Q> {
         let columns = self.x.iter().chain([&self.y]);
         let mut quantities: Vec<Q> = columns.filter_map(of).collect();
@@ -45,7 +45,7 @@ impl<C> Pair<C> {
         quantities
     }
 
-    /// Values of abscissa and ordinate at an input; None if one of them has none.
+    /// Values of abscissa and ordinate at an input; None if either has no value.
     pub(crate) fn values(&self, input: f64, value: impl Fn(&C) -> Option<f64>) -> Option<Vec<f64>> {
         let x = self.x.as_ref().map_or(Some(input), &value)?;
         Some(vec![x, value(&self.y)?])

@@ -69,8 +69,8 @@ impl Simulator {
         Ok(summary)
     }
 
-    /// Sets the symbol unit of linkages and drafts from the next `set` on, in the unit of lengths. Unless it is positive, it is a
-    /// hundredth of the drawing's size.
+    /// Sets the symbol unit of linkages and drafts from the next `set` on, in the unit of lengths. If the value is not
+    /// positive, the unit is a hundredth of the drawing's size.
     #[wasm_bindgen(js_name = setSymbol)]
     pub fn set_symbol(&mut self, unit: f64) {
         self.symbol = Some(unit).filter(|unit| unit.is_finite() && *unit > 0.0);

@@ -1,4 +1,5 @@
-//! The border in a real browser, and the engine against its tables there: all that wasm-pack runs.
+//! The interface to JavaScript in a real browser, and the engine against its golden tables there: everything that
+//! wasm-pack runs.
 #![cfg(target_family = "wasm")]
 #![allow(
     clippy::unwrap_used,
@@ -6,7 +7,7 @@
     reason = "that is how a test fails"
 )]
 
-// The same sources run natively, in `tests/native.rs`.
+// `tests/native.rs` runs the same sources natively.
 #[path = "../../../tests/class4.rs"]
 mod class4;
 mod gear_train;
@@ -24,7 +25,7 @@ use wasm_bindgen_test::wasm_bindgen_test_configure;
 
 wasm_bindgen_test_configure!(run_in_browser);
 
-/// Frame, handles, read-outs and plotted values at an input.
+/// Returns frame, handles, read-outs and plotted values at an input.
 fn at(simulator: &Simulator, input: f64) -> Result<[Vec<f64>; 4], JsValue> {
     let here = simulator.at(input)?;
     Ok(["frame", "handles", "readouts", "plotted"].map(|name| {
@@ -33,7 +34,7 @@ fn at(simulator: &Simulator, input: f64) -> Result<[Vec<f64>; 4], JsValue> {
     }))
 }
 
-/// Quantity and order of each read-out.
+/// Returns quantity and order of each read-out.
 fn readouts(simulator: &Simulator) -> Vec<(String, usize)> {
     let all = Array::from(&simulator.readouts().unwrap());
     let part = |id: &JsValue, key: &str| Reflect::get(id, &key.into()).unwrap();
@@ -45,7 +46,7 @@ fn readouts(simulator: &Simulator) -> Vec<(String, usize)> {
         .collect()
 }
 
-/// Index of a read-out.
+/// Returns the index of a read-out.
 fn place(simulator: &Simulator, quantity: &str, order: usize) -> usize {
     let all = readouts(simulator);
     let found = all
@@ -54,7 +55,7 @@ fn place(simulator: &Simulator, quantity: &str, order: usize) -> usize {
     found.unwrap()
 }
 
-/// Problems of an error.
+/// Returns the problems of an error.
 fn problems(error: &JsValue) -> JsValue {
     assert!(error.has_type::<Error>());
     Reflect::get(error, &"problems".into()).unwrap()

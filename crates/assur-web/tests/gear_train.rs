@@ -1,4 +1,5 @@
-//! A differential by time through the border, in a real browser: what is said of it, its places, plots and load.
+//! A differential driven as a function of time, through the interface in a real browser: summary, poses, plots and
+//! load.
 
 mod load;
 
@@ -33,7 +34,7 @@ fn known(name: &str) -> Value {
     found["document"].clone()
 }
 
-/// A train of the catalogue with some of it other, and what is said of it.
+/// Opens a train of the catalogue with changed fields; returns the simulator and the summary.
 fn opened(name: &str, plot: &str, changes: &Value) -> (Simulator, Value) {
     let mut document = known(name);
     for (key, other) in changes.as_object().unwrap() {
@@ -56,7 +57,7 @@ fn near(found: &Value, expected: f64) {
     );
 }
 
-/// The lists of `at`.
+/// Returns the lists of `at`, all of whose numbers must be finite.
 fn lists(simulator: &Simulator, time: f64) -> [Vec<f64>; 4] {
     let lists = at(simulator, time).unwrap();
     let mut numbers = lists.iter().flatten();
@@ -72,7 +73,7 @@ fn readout(simulator: &Simulator, time: f64, quantity: &str, order: usize) -> f6
 fn speeds_ratios_conditions_and_limits() {
     let (_, summary) = opened("train-magnets", "angles", &json!({}));
     let speeds = &summary["speeds"];
-    // (20·60 + 43·12)/63, and the satellites less than the carrier by 2(60 − n₃).
+    // Willis's equation: the carrier turns at (20·60 + 43·12)/63 min⁻¹, and the satellites at n₃ − 2(60 − n₃).
     let carrier = 1716.0 / 63.0;
     for (name, speed) in [
         ("sun", 60.0),
@@ -117,7 +118,7 @@ fn speeds_ratios_conditions_and_limits() {
         (&mobility["mobility"], &mobility["passive"]),
         (&json!(0), &json!(2))
     );
-    // kT/p: 3·2/20 of the sun, 3·5/43 of the ring; the weaker holds.
+    // Torque per plate, kT/z: 3·2/20 at the sun, 3·5/43 at the ring. The weaker mesh limits all torques.
     for (name, limit) in [
         ("sun", 6.0),
         ("ring", 12.9),
@@ -138,7 +139,7 @@ fn speeds_ratios_conditions_and_limits() {
         .iter()
         .sum();
     assert!(sum.abs() < 1e-9, "{powers}");
-    // Where teeth or forms are others nothing is followed under load.
+    // Trains with gears, and trains that are not planar, have no motion under load.
     for name in ["train-gears", "train-stepped", "train-bevel"] {
         let (_, summary) = opened(name, "angles", &json!({}));
         assert_eq!(
@@ -200,7 +201,7 @@ fn a_place_has_all_that_is_named() {
         for wrong in [f64::NAN, -1.0, f64::INFINITY, 1e300] {
             lists(&simulator, wrong);
         }
-        // Bevel wheels are drawn anew in every frame.
+        // The wheels of a bevel train are redrawn in every frame, so none are in the list of rigid shapes.
         let empty = simulator.scene().unwrap().is_empty();
         assert_eq!(empty, name == "train-bevel");
     }
@@ -262,7 +263,7 @@ fn time_goes_on_and_a_run_begins_again() {
     assert_eq!(advance(&simulator, 0.5, -1.0), [1.5, 1.0]);
 }
 
-/// Sun 60 and ring 12 a minute: 10,000 turns of the sun take 10,000 s.
+/// With the sun at 60 min⁻¹ and the ring at 12, 10,000 turns of the sun take 10,000 s.
 #[wasm_bindgen_test]
 fn angles_are_told_after_ten_thousand_turns() {
     let (simulator, _) = opened("train-magnets", "angles", &json!({}));
@@ -316,13 +317,13 @@ fn observers_see_their_shaft_at_rest() {
     }
 }
 
-/// For who turns with the carrier of bevel wheels, satellites turn as they do for who stands on the ground.
+/// Relative to their axes, bevel satellites rotate equally for an observer on the carrier and for one on the ground.
 #[wasm_bindgen_test]
 fn bevel_satellites_turn_about_their_own_axes_for_everybody() {
     let (ground, _) = opened("train-bevel", "angles", &json!({}));
     let (carrier, _) = opened("train-bevel", "angles", &json!({"observer": "carrier"}));
     let [one, other] = [&ground, &carrier].map(|from| readout(from, 1.0, "satellite.angle", 1));
-    // (30 − 36)·24/16 a minute.
+    // The speed is (30 − 36)·24/16 min⁻¹.
     let expected = -9.0 * std::f64::consts::TAU / 60.0;
     assert!(
         (one - expected).abs() < 1e-12 && (other - expected).abs() < 1e-12,

@@ -1,5 +1,5 @@
-//! Linkages through the border, in a real browser: the gallery, what is said of a
-//! motion, dragged points; what is no mechanism names links and points.
+//! Linkages through the interface in a real browser: the catalogue, summaries, dragged points; problems that name links
+//! and points.
 
 use assur_web::{Simulator, catalogue, read_state};
 use js_sys::{Array, JSON, Object, Reflect};
@@ -12,7 +12,7 @@ const SLIDER_CRANK: &str = include_str!("../../assur-file/catalogue/slider-crank
 const CLASS4: &str = include_str!("../../assur-file/catalogue/class4-dwell.json");
 const SCOTCH_YOKE: &str = include_str!("../../assur-file/catalogue/scotch-yoke.json");
 
-/// The state of a linkage's document, as JSON.
+/// Returns the state of a linkage's document, given as JSON.
 fn state(document: &str) -> JsValue {
     let text = format!(
         r#"{{"format":1,"lesson":"linkage","document":{document},
@@ -25,7 +25,7 @@ fn json(value: &JsValue) -> String {
     JSON::stringify(value).unwrap().into()
 }
 
-/// A file with one part of its text replaced by another.
+/// Returns the text of a file with one part replaced.
 fn changed(file: &str, from: &str, to: &str) -> String {
     assert_eq!(file.matches(from).count(), 1, "{from}");
     file.replace(from, to)
@@ -44,7 +44,7 @@ fn every_mechanism_of_the_catalogue_is_taken() {
         assert!(json(&entry).starts_with(&format!(r#"{{"id":"{name}","kind":""#)));
         let state = state(SLIDER_CRANK);
         Reflect::set(&state, &"format".into(), &2.into()).unwrap();
-        // That was the kind in the first version; now it is a lesson.
+        // In the first version this key held the kind; now it holds a lesson.
         Reflect::delete_property(state.unchecked_ref::<Object>(), &"lesson".into()).unwrap();
         for key in ["kind", "document"] {
             let value = Reflect::get(&entry, &key.into()).unwrap();
@@ -52,7 +52,7 @@ fn every_mechanism_of_the_catalogue_is_taken() {
         }
         let mut simulator = Simulator::new();
         simulator.set(state).unwrap();
-        // Of a scheme all can fall open: it is in the frame.
+        // A scheme has no rigid shapes, because any link may move when a cut opens; its shapes are in the frame.
         let drawn = simulator.scene().unwrap().len();
         assert!(
             drawn > 0 || at(&simulator, 0.0).unwrap()[0].len() > 60,
@@ -61,7 +61,7 @@ fn every_mechanism_of_the_catalogue_is_taken() {
     }
 }
 
-/// Each defect is a code with the names of what is at fault.
+/// Each defect is a code with the names of the parts at fault.
 #[wasm_bindgen_test]
 fn what_is_no_mechanism_names_links_and_points() {
     let brace =
@@ -127,7 +127,7 @@ fn what_is_no_mechanism_names_links_and_points() {
     }
 }
 
-/// The same where the links are a group of Class IV.
+/// The same for links that form a group of Class IV.
 #[wasm_bindgen_test]
 fn what_is_no_higher_group_names_links_and_points() {
     let of = |from: &str, to: &str| changed(CLASS4, from, to);
@@ -169,7 +169,7 @@ fn what_is_no_higher_group_names_links_and_points() {
     }
 }
 
-/// A document is refused with a reason, and the linkage that was shown stays.
+/// Checks that a document is refused with this reason, and that the linkage shown before stays open.
 fn is_refused(good: &str, document: &str, said: &str) {
     let mut simulator = Simulator::new();
     simulator.set(state(good)).unwrap();
@@ -181,8 +181,7 @@ fn is_refused(good: &str, document: &str, said: &str) {
     assert_eq!(at(&simulator, 1.0).unwrap(), before, "{said}");
 }
 
-/// A dragged crank turns; any other point is put where it was dragged, and the
-/// others stay.
+/// Dragging the crank's end changes the input. Dragging another point moves this point alone.
 #[wasm_bindgen_test]
 fn points_are_dragged() {
     let mut simulator = Simulator::new();
@@ -210,7 +209,7 @@ fn points_are_dragged() {
     }
 }
 
-/// The state of a linkage that shows what is drawn of curvature of a link.
+/// Returns the state of a linkage that shows its circles of curvature and the inflection circle of a link.
 fn curved(document: &str, about: &str) -> JsValue {
     let state = state(document);
     let view = Reflect::get(&state, &"view".into()).unwrap();
@@ -219,8 +218,8 @@ fn curved(document: &str, about: &str) -> JsValue {
     state
 }
 
-/// A crank pin goes on a circle, a slider straight, and a crank does not leave its pole. The rod's inflection circle goes through
-/// its pole, the slider's hinge, and what Euler and Savary say of the pin.
+/// The crank pin traces a circle, and the slider a straight line. The inflection circle of the rod passes through the
+/// rod's instant centre, the slider's hinge, and the point on the crank's line given by the Euler–Savary equation.
 #[wasm_bindgen_test]
 fn curvature_is_told_in_numbers() {
     let traced = changed(
@@ -273,7 +272,7 @@ fn curvature_is_told_in_numbers() {
     assert!(simulator.curvature(f64::NAN).is_err());
 }
 
-/// Two linkages at the same inputs; one that is none yet has no table.
+/// Two linkages are tabulated at the same inputs; a simulator without a linkage has no table.
 #[wasm_bindgen_test]
 fn two_linkages_have_their_tables_at_the_same_inputs() {
     let [mut own, mut other] = [Simulator::new(), Simulator::new()];

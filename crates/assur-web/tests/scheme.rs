@@ -1,5 +1,4 @@
-//! A scheme through the border, in a real browser: what is said of it, pairs that are cut, the
-//! chain that falls open.
+//! A scheme through the interface in a real browser: its summary, pairs that are cut, the chain that opens.
 
 use assur_web::{Simulator, catalogue, task};
 use js_sys::JSON;
@@ -18,13 +17,13 @@ fn js(value: &Value) -> JsValue {
     JSON::parse(&value.to_string()).unwrap()
 }
 
-/// The state of a document of any kind.
+/// Returns the state of a document of any kind.
 fn state(kind: &str, document: &Value) -> JsValue {
     let view = json!({"phi_deg": 45, "playing": false, "direction": 1, "speed": 1, "traces": true, "lang": "en"});
     js(&json!({"format": 2, "kind": kind, "document": document, "view": view}))
 }
 
-/// A document of the catalogue.
+/// Returns a document of the catalogue.
 fn known(name: &str) -> Value {
     let all = value(&catalogue().unwrap());
     let mut all = all.as_array().unwrap().iter();
@@ -32,7 +31,7 @@ fn known(name: &str) -> Value {
     found["document"].clone()
 }
 
-/// A scheme of the catalogue with other cuts, and what is said of it.
+/// Opens a scheme of the catalogue with other cuts; returns the simulator and the summary.
 fn opened(name: &str, cut: &Value) -> (Simulator, Value) {
     let mut simulator = Simulator::new();
     let mut document = known(name);
@@ -78,7 +77,7 @@ fn the_table_of_the_paper() {
 #[wasm_bindgen_test]
 fn a_pressed_pair_is_cut_and_joined_again() {
     let (simulator, summary) = opened("mobility-4", &json!(["Q"]));
-    // The moving contour is still closed.
+    // The contour of the moving links is still closed.
     let mut closed: Vec<&str> = summary["closed"]
         .as_array()
         .unwrap()

@@ -1,5 +1,4 @@
-//! The simulator through the border, in a real browser: what the page gives and
-//! gets are JavaScript's values.
+//! The simulator through its interface in a real browser: parameters and results are JavaScript values.
 
 mod charts;
 
@@ -34,12 +33,12 @@ fn put(object: &JsValue, path: &str, key: &str, value: JsValue) {
     Reflect::set(&get(object, path), &key.into(), &value).unwrap();
 }
 
-/// Codes and fields of an error's problems.
+/// Returns codes and fields of an error's problems.
 fn thrown(error: JsValue) -> Vec<(String, String)> {
     listed(problems(&error))
 }
 
-/// Codes and fields of problems.
+/// Returns codes and fields of problems.
 fn listed(problems: JsValue) -> Vec<(String, String)> {
     let text = |problem: &JsValue, key: &str| get(problem, key).as_string().unwrap_or_default();
     let problems: Array = problems.unchecked_into();
@@ -84,14 +83,14 @@ fn a_table_has_the_golden_numbers_and_reasons() {
     }
     assert!(get(&table, "rows.5.reason").is_null());
 
-    // A right angle of the crank is a dead point; the motion goes from one to the other.
+    // With these lengths the dead points are at crank angles of ±90°, and the motion goes from one to the other.
     let mut simulator = simulator;
     let state = state();
     for (key, length) in [("l1", 3.0), ("l2", 2.0), ("l3", 3.0), ("l4", 4.0)] {
         put(&state, "document", key, length.into());
     }
     simulator.set(state).unwrap();
-    // There is a step at least.
+    // A table has at least one step.
     let table = simulator.sweep(0).unwrap();
     assert_eq!(number(&table, "rows.length"), 3.0);
     let table = simulator.sweep(8).unwrap();
@@ -140,7 +139,7 @@ fn readouts_say_what_they_are_of() {
     let [_, _, values, _] = at(&simulator, 0.0).unwrap();
     assert_eq!(readouts(&simulator).len(), values.len());
     let value = |quantity: &str, order| values[place(&simulator, quantity, order)];
-    // The first row of the golden table, −u for external mesh.
+    // The values are those of the first row of the golden table, with ratio −u for external mesh.
     assert!((value("rocker.angle", 0) - 1.203_502_674_167_423_5).abs() < 1e-12);
     assert!((value("rocker.angle", 1) + 0.770_833_333_333_333_3).abs() < 1e-12);
     assert!((value("coupler.angle", 2) - 0.525_194_435_249_167_6).abs() < 1e-12);
@@ -195,7 +194,7 @@ fn bad_input_names_the_field_and_changes_nothing() {
     }
 }
 
-/// Two wheels and a point on the second of them.
+/// Returns a state with two peripheral wheels and a traced point on the second.
 fn full() -> JsValue {
     let state = state();
     let wheels = r#"[{"z":18,"centre_line_deg":-40},{"z":24,"centre_line_deg":0}]"#;
@@ -210,7 +209,7 @@ fn wheels_are_summed_up_one_by_one() {
     let mut simulator = Simulator::new();
     let summary = simulator.set(full()).unwrap();
     let outputs = simulator.outputs().unwrap();
-    // There and back, over one turn of the crank.
+    // The swing of the rocker, degrees; the travel is there and back over one turn of the crank.
     let stroke = 87.904_535_205_78;
     for (wheel, ratio) in [(0, 2.0), (1, 1.5)] {
         assert_eq!(number(&summary, &format!("ratios.{wheel}")), -ratio);
@@ -218,7 +217,8 @@ fn wheels_are_summed_up_one_by_one() {
         assert!((of("swing.0.stroke").to_degrees() - ratio * stroke).abs() < 1e-7);
         assert!((of("turns.0") - ratio * stroke / 180.0).abs() < 1e-10);
     }
-    // Their tips pass each other: 40° apart on 27 and 30 modules, 10 and 13 high.
+    // The two wheels overlap: their axes are 40° apart at distances of 27 and 30 modules, and their tip radii are 10
+    // and 13.
     assert_eq!(number(&summary, "overlaps.0.0"), 0.0);
     assert_eq!(number(&summary, "overlaps.0.1"), 1.0);
     let free = number(&summary, "free_direction").to_degrees();
@@ -251,7 +251,7 @@ fn points_are_put_on_links_and_dragged_along() {
     let [found_x, found_y] = place(&simulator, "P1");
     assert!((found_x - x).hypot(found_y - y) < 1e-14);
 
-    // A new one on the coupler's middle.
+    // The new traced point is at the middle of the coupler.
     let [b, c] = ["B", "C"].map(|name| place(&simulator, name));
     let [x, y] = [0, 1].map(|axis| 0.5 * (b[axis] + c[axis]));
     let tracers = get(&simulator.trace(1.0, x, y).unwrap(), "document.tracers");
@@ -271,7 +271,7 @@ fn an_assembly_is_chosen_by_its_number() {
     let shown = number(&here, "shown") as usize;
     assert_eq!(number(&here, &format!("all.{shown}.number")), 1.0);
     assert_eq!(number(&here, &format!("all.{}.number", 1 - shown)), 2.0);
-    // The bodies are where the frame has them.
+    // The bodies of the shown assembly agree with the frame.
     let bodies: Array = get(&here, &format!("all.{shown}.bodies")).unchecked_into();
     let frame = frame(&simulator, 1.0);
     for (k, body) in bodies.iter().enumerate() {

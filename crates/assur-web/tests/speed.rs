@@ -1,5 +1,5 @@
-//! Speed of the engine, natively and in the browser, beside a yardstick of the same run: printed by `cargo xtask bench`,
-//! never asserted. Each line reads `speed: NAME = NANOSECONDS`.
+//! Speed of the engine, natively and in the browser, beside a reference computation in the same run. `cargo xtask
+//! bench` prints the times; none is asserted. Each line reads `speed: NAME = NANOSECONDS`.
 #![allow(
     clippy::unwrap_used,
     clippy::panic,
@@ -31,13 +31,13 @@ use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 wasm_bindgen_test_configure!(run_in_browser);
 
 const LENGTHS: [f64; 4] = [0.37, 0.85, 0.55, 0.85];
-/// Crank angles of a sweep, and sweeps between two looks at the clock.
+/// Number of crank angles in a sweep, and number of sweeps between two readings of the clock.
 const SAMPLES: usize = 720;
 const SWEEPS: usize = 40;
-/// Every contestant has its turn this many times; the median counts.
+/// Number of rounds, in each of which every computation is timed once; the median is printed.
 const ROUNDS: usize = 25;
 
-/// What is timed, how often it happens in a run, and the run.
+/// A timed computation: its name, the number of units in a run, and the run.
 type Contestant = (&'static str, usize, Box<dyn FnMut()>);
 
 /// Six columns: φ₂, φ₃ and both derivatives of each.
@@ -164,7 +164,7 @@ fn family() -> Family {
     }
 }
 
-/// y = log₂ x from 1 to 2, as well as a four-bar can, from starts that are not good.
+/// A task of y = log₂ x from 1 to 2, solved approximately by a four-bar, from poor starting points.
 fn eight_positions() -> Task {
     let positions = (0..8).map(|k| {
         let x = 1.0 + f64::from(k) / 7.0;
@@ -189,14 +189,14 @@ fn store(columns: &mut Columns, index: usize, linkage: &FourBar, crank: f64) {
     }
 }
 
-/// The straightforward closed form: one sine and cosine, two arctangents, no care
-/// for folds, change points or continuity.
+/// The plain closed form as the reference: one sine and cosine, two arctangents, without regard to folds, change points
+/// or continuity.
 fn yardstick(columns: &mut Columns, index: usize, crank: f64) {
     let [l1, l2, l3, l4] = LENGTHS;
     let (s1, c1) = crank.sin_cos();
     let (x, y) = (l4 - l1 * c1, -l1 * s1);
     let square = x * x + y * y;
-    // Direction of the coupler: that of the diagonal turned by the angle at B.
+    // The direction of the coupler is that of the diagonal, turned by the angle at B.
     let along = (l2 * l2 - l3 * l3 + square) / (2.0 * l2);
     let across = (square - along * along).sqrt();
     let (c2, s2) = (
@@ -216,7 +216,7 @@ fn yardstick(columns: &mut Columns, index: usize, crank: f64) {
     }
 }
 
-/// Time and a voice on either target.
+/// Reading of the clock and printing, on either target.
 mod clock {
     #[cfg(target_family = "wasm")]
     pub(super) fn nanoseconds() -> f64 {

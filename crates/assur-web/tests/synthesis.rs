@@ -1,5 +1,4 @@
-//! A synthesis through the border, in a real browser: what is said of it, directions that are
-//! dragged, members that are chosen.
+//! A synthesis through the interface in a real browser: its summary, dragged directions, chosen members of a family.
 
 use assur_web::Simulator;
 use js_sys::JSON;
@@ -11,7 +10,7 @@ use crate::problems;
 
 const EXAMPLE: &str = r#"[{"output_deg":240,"input_deg":45},{"output_deg":253,"input_deg":60}]"#;
 
-/// The state of a synthesis with a frame of 10.4, as JSON.
+/// Returns the state of a synthesis with a frame of 10.4; `positions` and `more` are JSON.
 fn state(positions: &str, more: &str) -> JsValue {
     let text = format!(
         r#"{{"format":2,"kind":"synthesis","document":{{"frame":10.4,"positions":{positions}{more}}},
@@ -54,7 +53,7 @@ fn a_family_is_said_and_chosen_from() {
         lengths[0] > 200 && lengths == [lengths[0]; 3],
         "{lengths:?}"
     );
-    // l₂ = 6 of the same family; none is as long as its end.
+    // A member of the same family with l₂ = 6. No member has an l₂ beyond the end of the family.
     let change = value(&simulator.set_dimension("output", 6.0, 0.0).unwrap());
     near(&change["document"]["member"][1], 6.1600075360616, 1e-10);
     let refused = value(&problems(
@@ -83,7 +82,8 @@ fn directions_are_dragged() {
         let change = value(&simulator.drag(point, 0.785, x, y).unwrap());
         change["document"]["positions"].clone()
     };
-    // From A to the place; from the place to D, at (10.4, 0).
+    // The input angle is the direction from A to the dragged place; the output angle is that from the place to D =
+    // (10.4, 0).
     near(&positions("input2", -3.0, 3.0)[1]["input_deg"], 135.0, 1e-9);
     near(
         &positions("output1", 10.4, 7.0)[0]["output_deg"],
@@ -97,14 +97,15 @@ fn directions_are_dragged() {
     }
 }
 
-/// A coupler angle that is given has a ring; trial lengths are drawn as they are, and the formulas of the paper are given for both positions.
+/// A given coupler angle has a handle. Trial lengths are drawn unchanged, and both positions have the formulas of the
+/// paper.
 #[wasm_bindgen_test]
 fn coupler_angles_and_trial_lengths() {
     let mut simulator = Simulator::new();
     let given = r#"[{"output_deg":240,"input_deg":45,"coupler_deg":10},{"output_deg":253,"input_deg":60,"coupler_deg":9}]"#;
     let summary = value(&simulator.set(state(given, r#","trial":[10,5,4]"#)).unwrap());
     assert_eq!(summary["from"], "trial");
-    // ΣJ is a number: l₀²ΣJ is 0.1663 and 0.0361.
+    // ΣJ is dimensionless: l₀²ΣJ is 0.1663 and 0.0361.
     near(
         &summary["printed"]["drawn"],
         0.1663 / 10.4_f64.powi(2),
@@ -138,7 +139,7 @@ fn coupler_angles_and_trial_lengths() {
     );
 }
 
-/// What cannot be is said, and what was shown before stays.
+/// A change that is impossible throws its problem, and the document shown before stays.
 #[wasm_bindgen_test]
 fn what_cannot_be_changes_nothing() {
     let mut simulator = Simulator::new();
@@ -170,7 +171,7 @@ fn many_positions_are_searched() {
     assert!(sums.len() > 1 && sums.is_sorted(), "{sums:?}");
     let number = summary["number"].as_u64().unwrap() as usize;
     assert_eq!(solutions[number - 1]["at_bound"], false);
-    // They are shown by how far the output is off, those at a bound last.
+    // Solutions are sorted by output error, those at a bound last.
     let shown = summary["shown"].as_array().unwrap();
     let shown: Vec<usize> = shown
         .iter()

@@ -1,4 +1,5 @@
-// The atlas: coupler curves over the lengths of coupler and rocker, shaded by what is wanted. A pressed curve is placed on the path.
+// The atlas: coupler curves over the lengths of coupler and rocker, shaded by a chosen property. A pressed curve is
+// placed on the path.
 import { Surface } from "assur/canvas/surface.js";
 import { sentence } from "assur/controls/problems.js";
 import { section } from "assur/controls/section.js";
@@ -15,14 +16,14 @@ import { withoutExtras } from "assur/state/state.js";
  * @typedef {import("assur/types/web.js").AtlasHere} Atlas
  */
 
-/** What the shades show: from 0, the lightest, to 1. */
+/** Properties of a cell that the shades can show, from 0, the lightest, to 1. */
 const SHADES = Object.freeze(/** @type {Readonly<Record<string, (cell: Cell) => number>>} */ ({
   likeness: ({ unlikeness }) => (unlikeness === null ? 0 : 1 - unlikeness),
   transmission: ({ transmission }) => (2 * (transmission ?? 0)) / Math.PI,
   turns: ({ grashof }) => (grashof === "crank_rocker" || grashof === "double_crank" ? 1 : 0),
 }));
 
-/** Sliders of what the axes leave open. Lengths are relative to the crank, shares to the coupler. */
+/** Sliders of the parameters that are not on the axes. Lengths are relative to the crank, shares to the coupler. */
 const SLIDERS = Object.freeze([
   { name: "frame", least: 0.6, most: 6, usual: 3 },
   { name: "along", least: -1, most: 2, usual: 0.5 },
@@ -30,12 +31,15 @@ const SLIDERS = Object.freeze([
 ]);
 const STEP = 0.05;
 
-/** Room around a curve, as a part of its cell; greatest opacity of a shade, which is stronger where it matters. */
+/**
+ * `ROOM`: room around a curve, as a part of its cell. `DARKEST`: greatest opacity of a shade. `CONTRAST`: exponent that
+ * makes great values stand out.
+ */
 const ROOM = 0.12;
 const DARKEST = 0.7;
 const CONTRAST = 3;
 
-/** Cells that a key moves over. */
+/** Steps of the mark, in columns and rows, for the arrow keys. */
 const KEYS = Object.freeze(/** @type {Readonly<Record<string, readonly [number, number]>>} */ ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }));
 
 export class AtlasView {

@@ -104,7 +104,7 @@ export class NinePointsView {
     return said;
   }
 
-  /** Ends the search, and forgets what belongs to other points. */
+  /** Ends the search, and forgets its results, which belong to other points. */
   #forget() {
     this.#workers?.stop();
     this.#workers = this.#subject = this.#progress = null;

@@ -1,4 +1,5 @@
-// Worker of a search through nine points. With start data it follows paths; without, it keeps what is found and says what is to be done.
+// Worker of a search through nine points. With start data it follows paths. Without start data it collects the results
+// and gives out the work.
 import { problemsOf } from "assur/core/problem.js";
 import { start as begin } from "assur/core/parts.js";
 import { NinePointSearch, NinePointWorker } from "assur/pkg/assur_web.js";

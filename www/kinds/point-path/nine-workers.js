@@ -1,4 +1,5 @@
-// The workers of a search through nine points: one keeps what is found and says what is to be done, the others follow paths.
+// The workers of a search through nine points: one collects the results and gives out the work, the others follow
+// paths.
 import { fetched } from "assur/core/fetched.js";
 import { compiledWasm } from "assur/core/wasm.js";
 
@@ -10,7 +11,7 @@ import { compiledWasm } from "assur/core/wasm.js";
  * }} Said
  */
 
-/** Number of workers that follow paths, at most; the device's number of processors otherwise. */
+/** Greatest number of workers that follow paths; it is less on a device with fewer processors. */
 const MOST = 8;
 
 /** Paths that a worker follows before it reports. */
@@ -23,7 +24,7 @@ export class NineWorkers {
   #workers = [];
   /** @type {Worker[]} workers without work */
   #idle = [];
-  /** @type {Work[]} parts of the present work that are not given out */
+  /** @type {Work[]} parts of the present work that no worker has yet */
   #parts = [];
   #say;
   #stopped = false;
@@ -77,7 +78,7 @@ export class NineWorkers {
     this.#say({ problems });
   }
 
-  /** @param {Said & { work?: Work | null }} said by the worker that keeps what is found */
+  /** @param {Said & { work?: Work | null }} said message from the worker that collects the results */
   #kept({ progress, found, work, problems }) {
     if (problems) {
       this.#fail(problems);
@@ -87,13 +88,13 @@ export class NineWorkers {
       const { paths } = work;
       for (let k = 0; k < paths.length; k += CHUNK) this.#parts.push({ ...work, paths: paths.slice(k, k + CHUNK) });
     }
-    // Without work and without paths under way the search has ended.
+    // The search has ended if there is no further work and no path is being followed.
     const ended = !work && progress?.left === 0;
     this.#say({ progress, found, ended });
     if (!ended) this.#give();
   }
 
-  /** Gives parts of the work to workers without work. */
+  /** Gives the remaining parts of the work to idle workers. */
   #give() {
     while (this.#idle.length > 0 && this.#parts.length > 0) this.#idle.pop()?.postMessage({ work: this.#parts.shift() });
   }

@@ -13,16 +13,16 @@ const STEP = 3;
 /** Greatest number of points of a drawn path. */
 const MOST = 96;
 
-/** A line whose ends are nearer than this part of its length is closed. */
+/** A line is closed if the distance of its ends is less than this part of its length. */
 const CLOSES = 0.08;
 
-/** Time between two looks at the line while it is drawn, in milliseconds. */
+/** Time between two short searches while the line is drawn, in milliseconds. */
 const LOOK = 120;
 
 /** Points are rounded to a multiple of a power of ten near the size of the path divided by this number. */
 const STEPS = 1000;
 
-/** Least width and height together of a drawn line, in pixels; a shorter one is a slip of the hand. */
+/** Least sum of width and height of a drawn line, in pixels. A smaller line is taken for a slip of the hand. */
 const SMALLEST = 30;
 
 /** Least number of points of a path. */
@@ -152,7 +152,7 @@ export function closes(line) {
 /**
  * @param {readonly Pixel[]} line
  * @param {number} most
- * @returns {Pixel[]} at most so many points at equal distances along a line, with both ends
+ * @returns {Pixel[]} at most this number of points of a line, at equal distances, with both ends
  */
 export function thinned(line, most) {
   if (line.length <= most) return [...line];

@@ -18,7 +18,7 @@ import { withoutExtras } from "assur/state/state.js";
 /** Kinds of linkage that may be sought. */
 const KINDS = Object.freeze(/** @type {const} */ (["four_bars", "swinging", "slider_cranks", "both"]));
 
-/** The distance to be made small. */
+/** Measures of the distance between path and curve that a search can minimise. */
 const MEASURES = Object.freeze(/** @type {const} */ (["greatest", "squares"]));
 
 /** Time after which a search ends, in seconds. */
@@ -37,7 +37,7 @@ export class SearchView {
   /** @type {readonly unknown[]} points, course and crank angles of the search */
   #subject = [];
   #changed = false;
-  /** The linkage at the start, or the last one that the search has put in. */
+  /** The linkage shown at the start, or the one that the search showed last. */
   #last = "";
   /** @type {readonly Found[]} */
   #found = [];
@@ -76,7 +76,7 @@ export class SearchView {
     if (this.#snapshot) this.render(this.#snapshot);
   }
 
-  /** Ends the search, and forgets what belongs to another path. */
+  /** Ends the search, and forgets its results, which belong to another path. */
   #forget() {
     this.#worker?.terminate();
     this.#worker = this.#progress = null;
@@ -118,7 +118,7 @@ export class SearchView {
     if (progress?.found) {
       this.#found = progress.found;
       const [best] = progress.found;
-      // What the reader has chosen or taken back meanwhile stays.
+      // If the reader has chosen another linkage or undone a step since then, the search ends and changes nothing.
       if (this.#last !== this.#shownNow) ended = true;
       else if (best && this.#isBetter(best)) this.#take(best);
     }
@@ -147,7 +147,7 @@ export class SearchView {
 
   /**
    * @param {Found} found
-   * @returns {boolean} whether it is better than the shown linkage, or the shown one is of another kind
+   * @returns {boolean} whether the found linkage is better than the shown one, or the shown one is of another kind
    */
   #isBetter(found) {
     const traced = this.#snapshot?.summary.traced;

@@ -11,7 +11,7 @@ import { missedBy, typeOf, verdictOf } from "assur/kinds/point-path/verdict.js";
  * @typedef {import("assur/types/file.js").TracingDocument} Tracing
  */
 
-/** Greatest number of points to which the linkage is sent by a button each. */
+/** Greatest number of points for which there are buttons that move the linkage to a point. */
 const GO = 24;
 
 /** Distance of a point from the curve up to which the point is met, as a part of the size of the path. */

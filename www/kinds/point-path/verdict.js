@@ -36,7 +36,7 @@ export function typeOf({ linkage, verdict }, words) {
  */
 export function missedBy({ greatest }, size, words) {
   const { numbers } = words;
-  // Beyond the digits of a double, the distance is rounding.
+  // A smaller distance than the precision of the numbers is a rounding error.
   if (greatest <= EXACT * size) return words.text("path.exact");
   return words.text("path.missed_by", { length: numbers.short(greatest), share: numbers.short((100 * greatest) / size) });
 }

@@ -1,12 +1,12 @@
-// A press on a curve of four poses: its point takes the place of the nearer hinge.
+// A press on a curve of four poses: the pressed point of the curve replaces the nearer hinge.
 import { byId } from "assur/core/dom.js";
 import { attempt } from "assur/core/problem.js";
 import { inputNow, take } from "assur/state/change.js";
 
-/** Name of the curves among what the engine drags. */
+/** Name by which the engine takes a press on a curve. */
 const CURVE = "curve";
 
-/** Greatest movement of a press, and least distance from a handle, in pixels. */
+/** `STILL`: greatest movement of a press. `CLEAR`: least distance of a press from a handle. In pixels. */
 const STILL = 4;
 const CLEAR = 18;
 

@@ -1,4 +1,5 @@
-// The pairs of dyads with their verdicts. The chosen one is drawn, goes to each pose, and opens as a linkage.
+// The pairs of dyads with their verdicts. The chosen pair is drawn. Buttons move it to each pose, or open it as a
+// linkage.
 import { readoutText } from "assur/controls/readout.js";
 import { section } from "assur/controls/section.js";
 import { make, write } from "assur/core/dom.js";

@@ -21,13 +21,13 @@ const PARTS = Object.freeze(/** @type {const} */ ([
   { part: "angle_deg", symbol: "θ", unit: "°" },
 ]));
 
-/** Keys of what can be chosen, by the number of poses. */
+/** Keys of the hints on the choice of hinges, by the number of poses. */
 const HINTS = Object.freeze(/** @type {Readonly<Record<number, string>>} */ ({ 2: "poses.hint.two", 3: "poses.hint.three", 4: "poses.hint.four", 5: "poses.hint.five" }));
 
-/** A new pose is rounded to a multiple of one divided by this number. */
+/** Coordinates and angle of a new pose are rounded to a multiple of one unit divided by this number. */
 const PARTS_OF_UNIT = 100;
 
-/** Turn from the last pose to a new one that would else be equal to it, in degrees. */
+/** Turn from the last pose to a new one that would otherwise have the same angle, in degrees. */
 const TURN = 20;
 
 export class TaskView {

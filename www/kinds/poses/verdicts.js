@@ -1,4 +1,4 @@
-// Verdicts of pairs of dyads in words, and what the poses say of their number.
+// Verdicts on pairs of dyads in words, and sentences on the number of dyads.
 import { sentence } from "assur/controls/problems.js";
 import { degrees } from "assur/core/angles.js";
 
@@ -63,7 +63,7 @@ export function saidOf({ summary, state: { document }, words }) {
     if (!complete) said.push(words.text("poses.incomplete"));
     if (complex > 0 && dyads.length < 2) said.push(words.text("poses.complex"));
   }
-  // What is special already says what guides the body.
+  // The sentence on special poses already names what guides the body.
   if (special) return said;
   if (pairs.length > 0) said.push(...reasons.map((problem) => sentence(problem, words, document)));
   else said.push(words.text("problem.no_guidance"));

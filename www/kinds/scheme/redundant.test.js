@@ -29,7 +29,7 @@ function told({ kind, document }) {
   const lines = all(page.getElementById("rail"), "p").map(({ textContent }) => textContent)
     // This line is about the scheme with replaced pairs.
     .filter((line) => line !== words.text("replace.said"));
-  // Of a sum only the total counts.
+  // Only the total of a sum counts, not its terms.
   const said = [...lines, page.getElementById("mechanism-description").textContent].flatMap((line) => line.match(/\bq = [^.;]*/) ?? []);
   return [...said.map((one) => Number(one.split("= ").at(-1))), SAID.q(summary, words).value];
 }

@@ -176,7 +176,7 @@ fn length(value: &Value, size: f64) -> String {
     let unit = 10_f64.powi(size.log10().floor() as i32 - 6);
     value.as_f64().map_or_else(String::new, |value| {
         let steps = (value / unit).round();
-        // A unit below one is not exact in binary, but its inverse is, so the inverse is the divisor.
+        // A unit such as 0.01 is not exact in binary, but its inverse is, so the number is divided by the inverse.
         let rounded = if unit < 1.0 {
             steps / unit.recip().round()
         } else {

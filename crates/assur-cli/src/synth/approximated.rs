@@ -94,7 +94,8 @@ fn dyads(linkage: &Tracing) -> [Value; 2] {
     }
 }
 
-/// The verdict; null if the points are met at equal angles. The crank of a slider-crank of a search turns fully.
+/// Describes the verdict, or null if there is none. The crank of a slider-crank turns fully, so circuit and branch are
+/// true.
 fn verdict(verdict: Option<&PathVerdict>) -> Value {
     match verdict {
         None => Value::Null,

@@ -11,10 +11,10 @@ use crate::words::class;
 /// Maximum number of linkages in a table; JSON has them all.
 pub(super) const SHOWN: usize = 20;
 
-/// Heads of the cells of a verdict.
+/// Column headings of a verdict.
 pub(super) const VERDICT: [&str; 5] = ["order", "circuit", "branch", "grashof", "transmission"];
 
-/// Points of a linkage by name, and its links with the frame.
+/// Describes a linkage: its points by name, the points of the frame and those of each link.
 pub(super) fn described(spec: &LinkageSpec) -> Value {
     let points = spec.points.iter();
     let points = points.map(|point| (point.name.clone(), json!([point.at.x, point.at.y])));
@@ -26,12 +26,12 @@ pub(super) fn described(spec: &LinkageSpec) -> Value {
     json!({"points": Value::Object(points.collect()), "links": links})
 }
 
-/// A link with a hinge on the frame and a hinge on the coupler.
+/// Describes a link with a hinge on the frame and a hinge on the coupler.
 pub(super) fn hinged(pivot: Point, point: Point) -> Value {
     json!({"type": "RR", "pivot": [pivot.x, pivot.y], "point": [point.x, point.y]})
 }
 
-/// The verdict on a four-bar.
+/// Describes the verdict on a four-bar.
 pub(super) fn verdict(verdict: &Verdict) -> Value {
     let transmission = verdict.transmission_between;
     json!({
@@ -47,7 +47,7 @@ pub(super) fn verdict(verdict: &Verdict) -> Value {
     })
 }
 
-/// Cells of a verdict, as text of fixed widths.
+/// Formats the cells of a verdict, padded to the widths of their columns.
 pub(super) fn cells(verdict: &Value) -> String {
     let of = |key: &str| words::value(&verdict[key]);
     let transmission = verdict["transmission_deg"].as_f64();
@@ -56,12 +56,12 @@ pub(super) fn cells(verdict: &Value) -> String {
     row([&order, &circuit, &branch, &grashof, &transmission])
 }
 
-/// Cells of a verdict in their widths.
+/// Pads the cells of a verdict to the widths of their columns.
 pub(super) fn row([order, circuit, branch, grashof, transmission]: [&str; 5]) -> String {
     format!("{order:<8} {circuit:<8} {branch:<7} {grashof:<14} {transmission:<13}")
 }
 
-/// A point in a table.
+/// Formats a point for a table.
 pub(super) fn place(point: Point) -> String {
     let [x, y] = [point.x, point.y].map(|value| words::value(&json!(value)));
     format!("{x}, {y}")

@@ -44,10 +44,10 @@ fn pose(text: &str) -> Result<[f64; 3], String> {
     numbers(text, words::POSE)
 }
 
-/// A point on a command line: two numbers with a comma.
+/// Parses a point: two numbers separated by a comma.
 ///
 /// # Errors
-/// Text that is no point.
+/// The text is not a point.
 pub(super) fn point(text: &str) -> Result<[f64; 2], String> {
     numbers(text, words::POINT)
 }
@@ -57,7 +57,7 @@ fn region(text: &str) -> Result<[f64; 4], String> {
 }
 
 impl OnPoses {
-    /// True if poses are given.
+    /// True if `--pose` gives poses.
     pub(super) fn is_given(&self) -> bool {
         !self.poses.is_empty()
     }

@@ -72,17 +72,17 @@ impl From<CourseName> for Course {
 }
 
 impl OnPath {
-    /// True if points are given.
+    /// True if `--through` gives points.
     pub(super) fn is_given(&self) -> bool {
         !self.points.is_empty()
     }
 
-    /// Number of linkages that the search compares.
+    /// Returns the number of linkages that the search compares.
     pub(super) fn candidates(&self) -> usize {
         self.candidates.unwrap_or(CANDIDATES) as usize
     }
 
-    /// True if all four-bars are asked for: nine points without any wish of an approximation.
+    /// True if all four-bars through nine points are requested: no other option asks for an approximation.
     fn is_exact(&self) -> bool {
         self.points.len() == NINE
             && self.angles.is_empty()
@@ -143,7 +143,7 @@ fn verdict(found: &RankedFourBar) -> Value {
     verdict.map_or(Value::Null, linkage::verdict)
 }
 
-/// Writes a line for each four-bar, best first.
+/// Writes a line for each four-bar, the best first.
 fn table(out: &mut impl Write, search: &Search, found: &[RankedFourBar]) -> Result<(), Failure> {
     let verdicts = linkage::row(linkage::VERDICT);
     writeln!(

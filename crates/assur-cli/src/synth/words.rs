@@ -82,7 +82,7 @@ pub(super) fn special(special: &poses::Special) -> String {
     }
 }
 
-/// Describes why points of a path are no task in a sentence.
+/// Explains in a sentence why points of a path are no task.
 pub(super) fn path_error(error: &PathError) -> String {
     match *error {
         PathError::Count(count) => format!(
@@ -109,7 +109,7 @@ pub(super) fn path_error(error: &PathError) -> String {
     }
 }
 
-/// Describes why points with their crank angles are no path in a sentence.
+/// Explains in a sentence why points with their crank angles are no path.
 pub(super) fn target_error(error: &TargetError) -> String {
     match *error {
         TargetError::TooFew { distinct } => format!(
@@ -134,7 +134,7 @@ fn place_error(k: usize) -> String {
     format!("point {}: x and y must be from -1e9 to 1e9", k + 1)
 }
 
-/// States the linkage of a path on a line or on a circle.
+/// Names in a sentence the linkage for a path on a line or on a circle.
 pub(super) fn special_path(special: &approximation::Special) -> String {
     match special {
         approximation::Special::Line { .. } => {
@@ -150,7 +150,7 @@ pub(super) fn special_path(special: &approximation::Special) -> String {
     }
 }
 
-/// A coordinate, or zero if beside a length it is only rounding.
+/// Returns a coordinate, or zero if it is only a rounding error relative to a length.
 fn beside(coordinate: f64, length: f64) -> f64 {
     if coordinate.abs() < 1e-9 * length {
         0.0
@@ -315,7 +315,7 @@ pub(super) fn asked(holds: bool, truth: bool) -> Value {
     json!({"as_printed": yes_or_no(holds), "in_fact": yes_or_no(truth)})
 }
 
-/// The word for a truth value.
+/// Returns the word for a truth value.
 pub(super) fn yes_or_no(truth: bool) -> &'static str {
     if truth { "yes" } else { "no" }
 }

@@ -1,4 +1,4 @@
-//! Help, and arguments that are none.
+//! Help, and invalid arguments.
 
 use super::run::{refused, said};
 

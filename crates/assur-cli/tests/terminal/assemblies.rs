@@ -1,10 +1,10 @@
-//! All assemblies at an input, and the motions through them.
+//! All assemblies at an input, and the motions that contain them.
 
 use serde_json::{Value, json};
 
 use super::run::{Scratch, Table, assur, data, refused, said};
 
-/// The golden table of the Class IV mechanism, in the order of its numbers.
+/// The assemblies of the Class IV mechanism agree with the golden table, in the order of their numbers.
 #[test]
 fn the_assemblies_of_the_golden_table() {
     let golden = std::fs::read_to_string(data("class4_assemblies.csv")).unwrap();
@@ -19,7 +19,7 @@ fn the_assemblies_of_the_golden_table() {
             assert!(off.abs() < 2e-11, "{row}: {off:e}");
         }
     }
-    // Without an input those at the drawn one, 0°.
+    // Without `--at` the assemblies are those at the drawn input, 0°.
     let [drawn, at_zero, a_turn_on] = [&[][..], &["--at", "0"], &["--at", "360"]].map(|at| {
         let table = Table::of(&said(&[&["assemblies", "class4-dwell"], at].concat()));
         let rows = 0..table.rows.len();
@@ -34,7 +34,7 @@ fn the_assemblies_of_the_golden_table() {
     }
 }
 
-/// Each is where its number begins, and no other.
+/// A table with `--assembly` starts in the pose that `assur assemblies` lists under this number.
 #[test]
 fn an_assembly_is_followed_from_the_first_angle() {
     for (name, at) in [
@@ -66,7 +66,7 @@ fn an_assembly_is_followed_from_the_first_angle() {
             assert_eq!(swept.rows.len(), 2);
         }
     }
-    // Of a driven slide by its length.
+    // The input of a driven slide is a length.
     let slide = data("linkages/driven-slide.json");
     let all = Table::of(&said(&["assemblies", &slide, "--at", "1.25"]));
     assert_eq!(all.rows.len(), 2);
@@ -76,7 +76,7 @@ fn an_assembly_is_followed_from_the_first_angle() {
     );
 }
 
-/// The drawn one is that of the structure, and its drawing is the usual one.
+/// The number of the drawn assembly is in the report on the structure, and its plot is the one without `--assembly`.
 #[test]
 fn the_drawn_one_has_a_number() {
     let described: Value =
@@ -114,7 +114,7 @@ fn circuits() {
         let near = |fold: &&Value| (fold["phi_deg"].as_f64().unwrap() - expected).abs() < 1e-8;
         assert_eq!(folds.iter().filter(near).count(), 1, "{row}");
     }
-    // What meets knows of each other.
+    // If an end of a branch names another branch, that branch names it in return.
     for (k, branch) in branches.iter().enumerate() {
         assert_eq!(branch["branch"], k + 1);
         for end in branch["ends"].as_array().unwrap() {
@@ -144,7 +144,7 @@ fn circuits() {
     assert!(text.contains("circuit 2, s = 0.5 to s = 2\n"), "{text}");
 }
 
-/// A linkage of which the lengths alone are known has its assemblies, and is drawn in one of them by its number.
+/// A linkage known only by its lengths has assemblies, and can be drawn in each of them by its number.
 #[test]
 fn lengths_alone_are_assembled() {
     let name = data("linkages/lengths-alone.json");
@@ -153,7 +153,7 @@ fn lengths_alone_are_assembled() {
     assert!(complaint.contains("--assemble N"), "{complaint}");
     let table = Table::of(&said(&["assemblies", &name, "--at", "60"]));
     assert_eq!(table.rows.len(), 2);
-    // The same as those of the linkage that is drawn.
+    // The assemblies equal those of the same linkage drawn closed.
     let drawn = Table::of(&said(&["assemblies", "crank-rocker", "--at", "60"]));
     for number in ["1", "2"] {
         let text = said(&["assemblies", &name, "--at", "60", "--assemble", number]);
@@ -174,7 +174,7 @@ fn lengths_alone_are_assembled() {
         let other = drawn.number(row, "rocker.angle") - table.number(row, "rocker.angle");
         assert!(other.abs() < 1e-12, "{other:e}");
         assert!(said(&["structure", file.path()]).contains("0° to 360°, repeats after 1 turn"));
-        // Lengths stay as they are given.
+        // Given lengths are kept.
         let document: Value = serde_json::from_str(&text).unwrap();
         assert_eq!(document["links"][1]["length"], 6.0);
     }
@@ -186,8 +186,8 @@ fn lengths_alone_are_assembled() {
     );
 }
 
-/// A drawing that tells no assembly, and one in which the driven slide is beyond its range: what is wrong, and what can be
-/// done.
+/// A drawing that does not determine the assembly, and one whose driven slide is outside its range. The messages say
+/// what is wrong and what to do.
 #[test]
 fn a_drawing_that_tells_no_assembly() {
     let lengths = std::fs::read_to_string(data("linkages/lengths-alone.json")).unwrap();
@@ -255,15 +255,15 @@ fn a_drawing_of_another_assembly() {
     );
 }
 
-/// Standard output and standard error of a run that went well.
+/// Runs the program, expects success, and returns standard output and standard error.
 fn told(arguments: &[&str]) -> [String; 2] {
     let output = assur(arguments);
     assert!(output.status.success(), "{arguments:?}");
     [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap())
 }
 
-/// A linkage whose only group hangs in more ways than can be found: the pose that moves is always among those that are
-/// listed, and that there may be more is said everywhere.
+/// A linkage whose only group has more assemblies than can be found. The list always has the pose of the motion, and
+/// every command says that there may be more.
 #[test]
 fn the_pose_that_moves_is_never_missing() {
     let file = data("linkages/gripper.json");
@@ -296,8 +296,8 @@ fn the_pose_that_moves_is_never_missing() {
     assert!(complaint.contains(", and there may be more"), "{complaint}");
 }
 
-/// Numbers are those of `assur assemblies` at the same input, the drawn one where none is given: in the structure, of a
-/// table and of a plot.
+/// The structure, tables and plots number assemblies as `assur assemblies` does at the same input, which is the drawn
+/// one by default.
 #[test]
 fn there_is_one_numbering() {
     for file in [
@@ -315,7 +315,7 @@ fn there_is_one_numbering() {
         for k in 0..count {
             let number = (k + 1).to_string();
             said(&["plot", &file, "--assembly", &number, "--svg", "-"]);
-            // Without an input it is the one at the drawn input.
+            // Without `--at`, the number refers to the assemblies at the drawn input.
             let swept = Table::of(&said(&["sweep", &file, "--assembly", &number]));
             let at_home = Table::of(&said(&[
                 "sweep",
@@ -346,8 +346,8 @@ fn there_is_one_numbering() {
     }
 }
 
-/// A rhombus: where its crank lies on its frame coupler and rocker swing freely, and where it points away from it all links
-/// are in line. Both are change points, in the structure as among the motions, and at both there are rows.
+/// A rhombus. If its crank lies on the frame, coupler and rocker can swing freely; if it points away from the frame,
+/// all links are in line. The structure and the branches report both as change points, and the table has rows at both.
 #[test]
 fn change_points_of_a_rhombus() {
     let file = data("linkages/rhombus.json");
@@ -371,7 +371,7 @@ fn change_points_of_a_rhombus() {
         .enumerate()
     {
         assert_eq!(table.cell(row, "reason"), "");
-        // A parallelogram: the coupler stays, the rocker goes with the crank.
+        // On this branch it is a parallelogram: the coupler keeps its direction, and the rocker turns with the crank.
         assert!(table.number(row, "coupler.angle").abs() < 1e-14);
         assert!((table.number(row, "rocker.angle") - turned).abs() < 1e-14);
         assert!((table.number(row, "rocker.dangle") - 1.0).abs() < 1e-13);

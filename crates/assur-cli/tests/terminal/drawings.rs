@@ -1,4 +1,4 @@
-//! Drawings.
+//! Plots as SVG.
 
 use super::run::{Scratch, assur, data, refused, said};
 
@@ -32,7 +32,7 @@ fn drawings() {
             "-",
         ]);
         assert!(!text.contains("NaN") && !text.contains("inf"), "{name}");
-        // Whole: every element is closed.
+        // The text is complete: every tag is closed.
         assert_eq!(
             text.matches('<').count(),
             text.matches('>').count(),
@@ -49,7 +49,7 @@ fn drawings() {
     assert!(said.contains("/no/such/folder/a.svg"), "{said}");
 }
 
-/// Of a motion that an instant is left of, the axis of the plots is a turn.
+/// If the motion is a single instant, the axis of the plots is a whole turn.
 #[test]
 fn plots_of_an_instant_have_no_number_that_is_none() {
     let text = said(&["plot", &data("drawings/instant.json"), "--svg", "-"]);
@@ -57,7 +57,7 @@ fn plots_of_an_instant_have_no_number_that_is_none() {
     assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
 }
 
-/// Of a motion of too many turns extrema are not marked, and it is said why.
+/// If a motion has too many turns, extrema are not marked, and a message says why.
 #[test]
 fn extrema_that_are_not_looked_for_are_said() {
     let file = data("drawings/hunting-wheels.json");
@@ -69,6 +69,6 @@ fn extrema_that_are_not_looked_for_are_said() {
     let why = "zeros and extrema: Not looked for: the motion repeats only after 974153 turns, and no more than 256 are \
                 searched.\n";
     assert!(complaint.ends_with(why), "{complaint}");
-    // Of 31 turns they are.
+    // With 31 turns extrema are marked, and there is no message.
     said(&["plot", &data("drawings/many-turns.json"), "--svg", "-"]);
 }

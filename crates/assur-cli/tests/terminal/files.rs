@@ -1,5 +1,4 @@
-//! What is read and written: text with a byte-order mark, keys that stand twice, pipes and devices, and the
-//! sentences about files.
+//! Reading and writing: text with a byte-order mark, repeated keys, pipes and devices, and the messages about files.
 
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
@@ -15,7 +14,7 @@ fn a_byte_order_mark_is_passed_over() {
     assert_eq!(said(&["sweep", file.path()]), said(&["sweep", &plain]));
 }
 
-/// The last one would win, and the first be a part left out.
+/// A parser would silently take the last of two equal keys and drop the first.
 #[test]
 fn keys_that_stand_twice_are_refused() {
     for (once, twice, path) in [
@@ -70,7 +69,7 @@ fn sentences_speak_of_files() {
     }
 }
 
-/// Who reads the first lines only is no failure of ours.
+/// If the reader of a pipe closes it early, this is no failure.
 #[test]
 fn closed_output_is_silent() {
     let mut running = Command::new(env!("CARGO_BIN_EXE_assur"))
@@ -88,7 +87,7 @@ fn closed_output_is_silent() {
     assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
 }
 
-/// A pipe is read like a file, and like a device no further than a file may be long.
+/// A pipe is read like a file. From a pipe or device no more bytes are read than a file may have.
 #[cfg(unix)]
 #[test]
 fn pipes_and_devices_are_bounded() {
@@ -112,7 +111,7 @@ fn pipes_and_devices_are_bounded() {
             said(&[command, &data("linkages/slide.json")])
         );
     }
-    // It has gone before all is written.
+    // The program exits before all bytes are written.
     let (written, output) = piped("structure", &vec![b' '; 8 << 20]);
     assert!(written.is_err());
     assert_eq!(output.status.code(), Some(2));

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::run::{Scratch, Table, assur, refused, said};
 
-/// A crank of 100 mm with 2 kg at its end and a slider-crank behind it, in millimetres.
+/// A slider-crank in millimetres: its crank of 100 mm has a mass of 2 kg at its end.
 fn slider_crank() -> Value {
     json!({
         "unit": "mm",
@@ -25,8 +25,8 @@ fn slider_crank() -> Value {
     })
 }
 
-/// The crank horizontal: 20 N at 0.1 m. The rod and the crank are in line, so the slider presses with 50 N on A, and its
-/// own weight is on the guide.
+/// With the crank horizontal, 20 N act at 0.1 m. Rod and crank are in line, so the slider presses on A with 50 N; the
+/// guide carries the slider's own weight.
 #[test]
 fn reactions_in_newtons_of_a_drawing_in_millimetres() {
     let file = Scratch::with("forces.json", &slider_crank().to_string());
@@ -45,7 +45,8 @@ fn reactions_in_newtons_of_a_drawing_in_millimetres() {
     near("C.slider.frame.x", 0.0);
     near("C.slider.frame.y", 30.0);
     near("C.slider.frame.moment", 0.0);
-    // At 20 rad/s the mass at B and the slider are accelerated: 2·0.1·400 and 3·0.1·400·(1 + 1/3) inwards.
+    // At 20 rad/s the inward inertia terms of the mass at B and of the slider are 2·0.1·400 N and 3·0.1·400·(1 + 1/3)
+    // N.
     let text = said(&[
         "forces",
         file.path(),
@@ -81,7 +82,7 @@ fn a_driven_slide_has_a_force() {
     let file = Scratch::with("driven.json", &document.to_string());
     let table = Table::of(&said(&["forces", file.path(), "--at", "350"]));
     assert_eq!(table.header[..2], ["s", "slider.force"]);
-    // Virtual power: F x′ = 50 x′ + 20 y′ of B.
+    // Its value would follow from virtual power: F x′ = 50 x′ + 20 y′ of B.
     assert!(table.number(0, "slider.force").is_finite());
 }
 
@@ -113,7 +114,7 @@ fn a_run_keeps_account_of_the_energy() {
     assert_eq!(table.header, header);
     assert_eq!(table.rows.len(), 5);
     assert_eq!(table.cell(4, "t"), "1");
-    // At the start 2 kg and, at the end of the stroke, nothing else move: ½·2·0.5².
+    // At the start the slider is at a dead centre, so only the mass of 2 kg moves: ½·2·0.5² J.
     assert!((table.number(0, "kinetic") - 0.25).abs() < 1e-12);
     let sum = |row: usize| {
         let [kinetic, potential, work, lost] =
@@ -217,7 +218,7 @@ fn forces_that_are_none_are_said() {
     );
 }
 
-/// The slider-crank under a resistance on its working stroke.
+/// The slider-crank with a resistance on its working stroke.
 fn press() -> Value {
     let mut document = slider_crank();
     document["loads"] = json!([{"link": "slider", "point": "C", "direction_deg": 0,
@@ -227,7 +228,7 @@ fn press() -> Value {
     document
 }
 
-/// The times of the table are decimals of its interval.
+/// The times in the table are exact multiples of the interval, in decimals.
 #[test]
 fn times_of_a_run_are_as_asked() {
     let file = Scratch::with("times.json", &press().to_string());
@@ -246,7 +247,8 @@ fn times_of_a_run_are_as_asked() {
     );
 }
 
-/// Without a flywheel the press stops at 12 rad/s; with those of both methods it turns as evenly as is asked.
+/// Without a flywheel the press stops; with the flywheel of either method it reaches the wanted non-uniformity at 12
+/// rad/s.
 #[test]
 fn a_flywheel_for_a_press() {
     let file = Scratch::with("press.json", &press().to_string());
@@ -273,10 +275,11 @@ fn a_flywheel_for_a_press() {
         assert!((number("period") - std::f64::consts::TAU / 12.0).abs() < 1e-12);
     }
     let [wittenbauer, mertsalov] = [1, 2].map(|row| table.number(row, "flywheel"));
-    // The reduced inertia of rod and slider is between 0 and 3 kg · (0.11 m)².
+    // The methods differ by the reduced inertia of rod and slider, which is between 0 and 3 kg · (0.11 m)².
     assert!(mertsalov > wittenbauer && mertsalov < wittenbauer + 0.04);
 
-    // Put on the crank, in kg·m² although the drawing is in millimetres, the flywheel does what is said of it.
+    // With this flywheel on its crank the press has the delta of the table. It is in kg·m² although the drawing is in
+    // mm.
     let mut document = press();
     document["flywheel"] = json!(wittenbauer);
     let file = Scratch::with("wheel.json", &document.to_string());

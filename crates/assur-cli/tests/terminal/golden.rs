@@ -1,8 +1,8 @@
-//! Tables against golden ones and against geometry.
+//! Tables compared with golden tables and with closed forms.
 
 use super::run::{Table, data, said};
 
-/// All that the table in 40-digit arithmetic says of the mixer, to its tolerances.
+/// The table of the mixer agrees with the golden table (40-digit arithmetic) within the tolerances.
 #[test]
 fn the_mixer_is_the_golden_table() {
     let golden = std::fs::read_to_string(data("mixer.csv")).unwrap();
@@ -10,7 +10,8 @@ fn the_mixer_is_the_golden_table() {
     let mut checked = 0;
     for (case, name) in [("1", "mixer-a"), ("2", "mixer-b")] {
         for assembly in ["1", "2"] {
-            // C is to the left of BD in the table's assembly 1, so that the rocker's angle is the lesser one at 0°.
+            // In assembly 1 of the golden table C is to the left of BD, so at 0° the rocker's angle is the lesser of
+            // the two.
             let text = said(&["sweep", name, "--step", "5", "--assembly", assembly]);
             let table = Table::of(&text);
             assert_eq!(table.rows.len(), 73);
@@ -56,7 +57,7 @@ fn the_mixer_is_the_golden_table() {
     assert_eq!(checked, 2 * 2 * 72);
 }
 
-/// Files of every kind of pair, with what geometry says of them.
+/// Files with every kind of pair still open; their values agree with closed forms.
 #[test]
 fn golden_files_keep_opening() {
     let table = |name: &str, step: &str| {
@@ -85,7 +86,7 @@ fn golden_files_keep_opening() {
             (1.0 + 2.0 * sin) / (5.0 + 4.0 * sin),
         );
         near(gears.number(k, "pinion.angle"), -2.0 * phi);
-        // Willis: the planet in a ring three times its size turns back twice.
+        // Willis's equation: a planet in a ring three times its size turns by −2 for each turn of its carrier.
         near(planet.number(k, "planet.dangle"), -2.0);
     }
     let driven = Table::of(&said(&[
@@ -105,12 +106,12 @@ fn golden_files_keep_opening() {
         near(driven.number(k, "H.dy"), -s / height);
         near(driven.number(k, "H.ddy"), -6.25 / height.powi(3));
     }
-    // A state of the page is the mechanism that the catalogue has.
+    // A state saved by the page has the same motion as the mechanism of the catalogue.
     let file = said(&["sweep", &data("linkages/mixer-state.json"), "--step", "45"]);
     assert_eq!(file, said(&["sweep", "mixer-b", "--step", "45"]));
 }
 
-/// All that the table in 40-digit arithmetic says of the Class IV mechanism.
+/// The table of the Class IV mechanism agrees with the golden table (40-digit arithmetic).
 #[test]
 fn class4_dwell_is_the_golden_table() {
     let golden = std::fs::read_to_string(data("class4.csv")).unwrap();

@@ -1,4 +1,4 @@
-//! Links of PMKS+ and files of Linkage as NAME: the linkages they become, and the notes on what was left out.
+//! URLs of PMKS+ and files of Linkage as NAME: the linkages imported from them, and notes on what was left out.
 
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ fn published(name: &str) -> String {
     folder.join(name).to_str().unwrap().to_owned()
 }
 
-/// Standard output and standard error of a run that went well.
+/// Runs the program, expects success, and returns standard output and standard error.
 fn both(arguments: &[&str]) -> [String; 2] {
     let output = assur(arguments);
     assert!(output.status.success(), "{output:?}");
@@ -50,10 +50,10 @@ fn a_link_is_a_name() {
     assert_eq!((status, said.as_str()), (2, neither));
 }
 
-/// What is said of a link after it was read, and the sheet that has no other title, have its beginning too.
+/// Messages about a URL, and a sheet without another title, show only the beginning of the URL.
 #[test]
 fn a_link_is_never_said_whole() {
-    // The link without its driver does not move, which several sentences say.
+    // Without its driver this linkage does not move; several commands say so.
     let still = LINK.replace("MA,A,0,0", "KA,A,0,0");
     let asked = [
         vec!["structure", &still],
@@ -70,7 +70,7 @@ fn a_link_is_never_said_whole() {
             "{arguments:?}: {said}"
         );
     }
-    // It is counted all the same, with what was left out beside it.
+    // The linkage is counted all the same, and standard error lists what was left out.
     let [_, said] = both(&["mobility", &still]);
     assert!(!said.contains("CP,1Tm"), "{said}");
     let [sheet, _] = both(&["plot", LINK, "--svg", "-"]);
@@ -86,7 +86,7 @@ fn a_file_of_linkage_is_a_name() {
     let [structure, told] = both(&["structure", &published("linkage2/issue-12.linkage2")]);
     assert!(structure.contains("III"), "{structure}");
     assert_eq!(told.lines().count(), 1, "{told}");
-    // A name in another code page is no reason to refuse the rest.
+    // A name in another code page does not make the file invalid.
     let mut bytes = b"<linkage2>\n<connector id=\"0\" name=\"\xc9\" x=\"0\" y=\"0\"/>".to_vec();
     let file = Scratch::with("latin.linkage2", "");
     std::fs::write(&file.0, &bytes).unwrap();

@@ -1,10 +1,10 @@
-//! What is no mechanism is refused with the names of what is at fault.
+//! Documents that are not mechanisms are refused; the message names the parts at fault.
 
 use serde_json::{Value, json};
 
 use super::run::{Scratch, Table, refused, said};
 
-/// What is no mechanism is refused with the names of what is at fault.
+/// Linkages that are not mechanisms are refused; the message names the parts at fault.
 #[test]
 fn bad_linkages_are_refused() {
     let four_bar = || {
@@ -141,7 +141,7 @@ fn bad_linkages_are_refused() {
     are_refused(&cases);
 }
 
-/// The same where the links are a group of Class IV.
+/// The same for links that form a group of Class IV.
 #[test]
 fn bad_higher_groups_are_refused() {
     let good = include_str!("../../../assur-file/catalogue/class4-dwell.json");
@@ -190,8 +190,8 @@ fn bad_higher_groups_are_refused() {
     are_refused(&cases);
 }
 
-/// A link on a moving pivot that is driven against the frame is refused; what the sentence says is to be done keeps its
-/// direction.
+/// A link on a moving pivot cannot be driven against the frame. The link keeps its direction if it is driven as the
+/// message advises.
 #[test]
 fn an_absolute_angle_on_a_moving_pivot() {
     let arm = |driver: Value| {
@@ -225,7 +225,7 @@ fn an_absolute_angle_on_a_moving_pivot() {
     }
 }
 
-/// Linkages are refused with status 2 and a sentence that has the given part.
+/// Checks that linkages are refused with status 2 and a message that contains the given part.
 fn are_refused(cases: &[(&str, Value, &str)]) {
     for (name, linkage, part) in cases {
         let file = Scratch::with(

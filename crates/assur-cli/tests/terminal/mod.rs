@@ -1,4 +1,4 @@
-//! The terminal program as it is run: exit status, tables, structures, drawings.
+//! The terminal program run as a process: exit status, tables, structures, drawings.
 
 mod arguments;
 mod assemblies;

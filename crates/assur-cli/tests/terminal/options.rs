@@ -1,4 +1,4 @@
-//! What can be asked of a table.
+//! Options of a table.
 
 use serde_json::json;
 
@@ -34,14 +34,14 @@ fn where_rows_begin_and_end() {
         asked(&[&[slide.as_str()][..], &step].concat()),
         ["0.6", "0.7", "0.8", "0.9", "1"]
     );
-    // Dead points are rows wherever they are within.
+    // A dead point has a row wherever it lies within the interval.
     let over = data("linkages/over-a-turn.json");
     let found = asked(&[&over, "--from", "74", "--to", "77"]);
     assert_eq!(found.len(), 5, "{found:?}");
     assert!(found[2].starts_with("75.79583"), "{found:?}");
 }
 
-/// Before and after the period a motion goes on: the same poses, angles never folded.
+/// Outside its period a motion repeats its poses, and angles keep counting turns.
 #[test]
 fn beyond_the_period() {
     let range = ["--from", "-90", "--to", "810", "--step", "45"];
@@ -77,7 +77,7 @@ fn rows_at_any_input() {
     }
     let crank = one.number(2, "crank.angle").to_degrees();
     assert!((crank - 725.0).abs() < 1e-10, "{crank}");
-    // Beyond the range of a slide there is no pose, however far it is, and the rows say so.
+    // Outside the range of a slide there is no pose at any distance, and the rows say so.
     let slide = data("linkages/driven-slide.json");
     let beyond = table(&[&slide, "--at", "2.25,-1e20,1e30", "--columns", "H.y"]);
     let none = ["", "This is beyond the range of the driver."];
@@ -117,7 +117,7 @@ fn columns_by_their_names() {
     }
 }
 
-/// How well dyads transmit is in no table but where it is asked for: μ by the cosine rule, tan α of a slider-crank.
+/// Transmission and pressure angles are columns only on request: μ by the law of cosines, α of an offset slider-crank.
 #[test]
 fn columns_of_dyads() {
     let names = ["C.transmission", "C.dtransmission"];
@@ -135,7 +135,7 @@ fn columns_of_dyads() {
     let plain = table(&["mixer-a", "--at", "40", "--columns", names[1]]);
     let rate = timed.number(0, "C.transmission_omega");
     assert!((rate - 2.0 * plain.number(0, names[1])).abs() < 1e-14);
-    // The crank of 1 stands upright, 2 from the way of the slider, on a rod of 3.
+    // The crank (1) is perpendicular to the guide, so its end is 2 from the path of the slider; the rod is 3.
     let pressure = table(&[
         "slider-crank-offset",
         "--at",
@@ -152,7 +152,7 @@ fn columns_of_dyads() {
     );
 }
 
-/// A name may have commas of its own.
+/// A column is found by a name that contains commas.
 #[test]
 fn columns_of_names_with_commas() {
     let linkage = json!({
@@ -170,7 +170,7 @@ fn columns_of_names_with_commas() {
     );
 }
 
-/// q′ ω and q″ ω² + q′ ε.
+/// Derivatives with respect to time: q′ ω and q″ ω² + q′ ε.
 #[test]
 fn rates_by_time() {
     let driven = ["--omega", "-2.5", "--epsilon", "4"];
@@ -239,7 +239,7 @@ fn units_in_the_header() {
     );
 }
 
-/// q′ and q″ by radians and by degrees of the crank, and by time; a slide's derivatives stay by its lengths.
+/// q′ and q″ per radian and per degree of the crank, and with respect to time; those of a slide are per unit of length.
 #[test]
 fn angles_in_degrees() {
     let degree = 1_f64.to_radians();
@@ -289,7 +289,7 @@ fn angles_in_degrees() {
     assert_eq!(crank.number(0, "crank.dangle"), 1.0);
 }
 
-/// Units in the header and the decimal sign follow what is asked for beside them.
+/// Units in the header and the decimal comma combine with the other options.
 #[test]
 fn degrees_units_and_a_decimal_comma_together() {
     let asked = ["--degrees", "--header-units", "--decimal-comma"];
@@ -316,7 +316,7 @@ fn degrees_units_and_a_decimal_comma_together() {
         ]
         .concat(),
     );
-    // A rod of 2.5 that leans on two walls.
+    // A ladder of length 2.5 between two perpendicular walls.
     let [header, row] = [0, 1].map(|line| text.lines().nth(line).unwrap());
     assert_eq!(header, "s_length;H.dy_length_per_length;reason");
     let slope = row.split(';').nth(1).unwrap().replace(',', ".");

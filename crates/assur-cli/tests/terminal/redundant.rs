@@ -1,10 +1,10 @@
-//! Linkages with redundant constraints: what is counted, and drawings that are only nearly so.
+//! Linkages with redundant constraints: their counts, and drawings whose constraints hold only approximately.
 
 use serde_json::{Value, json};
 
 use super::run::{Scratch, Table, assur, data, refused, said};
 
-/// Standard output; a link of another program says on standard error what was left out.
+/// Runs the program, expects success, and returns standard output. A URL also writes to standard error.
 fn written(arguments: &[&str]) -> String {
     let output = assur(arguments);
     assert!(output.status.success(), "{output:?}");
@@ -15,7 +15,8 @@ fn described(name: &str) -> Value {
     serde_json::from_str(&written(&["structure", name, "--json"])).unwrap()
 }
 
-/// Mobility by count and by rank, q and the redundant pairs stand together; a link of PMKS+ with a doubled coupler too.
+/// The report has mobility by count and by rank, q and the redundant pairs, also for a PMKS+ URL with a doubled
+/// coupler.
 #[test]
 fn redundant_constraints_are_counted_and_named() {
     let link = std::fs::read_to_string(data("linkages/over-closed-coupler.url")).unwrap();
@@ -40,7 +41,7 @@ fn redundant_constraints_are_counted_and_named() {
     assert_eq!(plain["redundant"], json!([]));
 }
 
-/// The third crank turns with the first, also where all are in line.
+/// The third crank turns with the first, also in the poses with all links in line.
 #[test]
 fn a_third_crank_turns_with_the_others() {
     let name = data("linkages/third-crank.json");
@@ -63,7 +64,7 @@ fn a_third_crank_turns_with_the_others() {
     }
 }
 
-/// With four decimals it is locked, and says what can be done; made exact it moves.
+/// With coordinates of four decimals the linkage is locked, and the message offers a correction; corrected, it moves.
 #[test]
 fn a_nearly_exact_drawing_is_made_exact() {
     let text = std::fs::read_to_string(data("linkages/third-crank.json")).unwrap();
@@ -78,7 +79,7 @@ fn a_nearly_exact_drawing_is_made_exact() {
     assert!(told.contains("moves farthest, by"), "{told}");
     let exact = Scratch::with("exact.json", &String::from_utf8(output.stdout).unwrap());
     assert_eq!(described(exact.path())["turns_fully"], true);
-    // Far off it is locked, and nothing is offered.
+    // A drawing far from exact is locked, and no correction is offered.
     let text = text.replace("2.0002", "2.2");
     let far = Scratch::with("far.json", &text);
     let (_, complaint) = refused(&["structure", far.path()]);

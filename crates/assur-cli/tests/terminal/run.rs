@@ -1,4 +1,4 @@
-//! The program as it is run, and files for it.
+//! Functions that run the program, and files for it.
 
 use std::path::PathBuf;
 use std::process::{Command, Output};
@@ -8,7 +8,7 @@ pub(crate) fn assur(arguments: &[&str]) -> Output {
     Command::new(program).args(arguments).output().unwrap()
 }
 
-/// Standard output of a run that went well.
+/// Runs the program, expects success, and returns standard output.
 pub(crate) fn said(arguments: &[&str]) -> String {
     let output = assur(arguments);
     let complaint = String::from_utf8(output.stderr).unwrap();
@@ -17,7 +17,7 @@ pub(crate) fn said(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Exit status and standard error of a run that went wrong.
+/// Runs the program, expects failure, and returns exit status and standard error.
 pub(crate) fn refused(arguments: &[&str]) -> (i32, String) {
     let output = assur(arguments);
     assert_eq!(
@@ -34,7 +34,7 @@ pub(crate) fn data(name: &str) -> String {
     data.join(name).to_str().unwrap().to_owned()
 }
 
-/// A file that is gone with the value.
+/// A file that is deleted when the value is dropped.
 pub(crate) struct Scratch(pub PathBuf);
 
 impl Scratch {
@@ -60,7 +60,7 @@ impl Drop for Scratch {
     }
 }
 
-/// A table with a header; cells are not quoted.
+/// A table with a header. Its cells must not be quoted.
 pub(crate) struct Table {
     pub(crate) header: Vec<String>,
     pub(crate) rows: Vec<Vec<String>>,

@@ -24,7 +24,8 @@ fn structures() {
     assert_eq!(described["passive"], json!([]));
 }
 
-/// Satellites that only repeat another one are reported as passive; one that contradicts it is refused by name.
+/// Satellites that repeat the constraints of another are reported as passive; one that contradicts them is refused by
+/// name.
 #[test]
 fn passive_satellites() {
     let text = said(&["structure", "planetary"]);
@@ -35,7 +36,7 @@ fn passive_satellites() {
     assert_eq!(described["passive"], json!(["planet 2", "planet 3"]));
     assert_eq!(described["mobility"], 2);
     let set = include_str!("../../../assur-file/catalogue/planetary.json");
-    // The third one would be a wheel of two rims.
+    // Planet 3 would need 24 teeth towards the sun and 23 towards the ring.
     let end = set.rfind("[24, 72]").unwrap();
     let other = format!("{}[23, 72]{}", &set[..end], &set[end + 8..]);
     let file = Scratch::with("contradiction.json", &other);
@@ -44,7 +45,7 @@ fn passive_satellites() {
     assert!(error.contains("planet 3, ring"), "{error}");
 }
 
-/// A doubled link is the last step, with as many redundant constraints as the formula says.
+/// A doubled link is the last step of the structure and has a redundant constraint in the formula.
 #[test]
 fn doubled_links() {
     let doubled = json!({
@@ -74,7 +75,7 @@ fn doubled_links() {
     assert_eq!(described["steps"][2], double);
 }
 
-/// Over which inputs it moves, after how many turns it repeats, where it passes through another motion.
+/// The report has the range of the input, the number of turns after which the motion repeats, and change points.
 #[test]
 fn ranges() {
     let told = |name: &str| {
@@ -109,7 +110,7 @@ fn ranges() {
     assert_eq!(*from, over["dead_points"][0]["phi_deg"]);
     assert_eq!(*to, over["dead_points"][1]["phi_deg"]);
 
-    // A parallelogram passes through its antiparallelogram where all links are in line.
+    // A parallelogram has a change point to the antiparallelogram where all links are in line.
     let at = |x: f64, y: f64| json!([x, y]);
     let parallelogram = json!({
         "points": [
@@ -176,11 +177,11 @@ fn outputs_of_a_four_bar() {
     let (angle, _) = linkage.worst_transmission();
     assert_near(&worst["worst_deg"], angle.to_degrees());
     assert_eq!([&worst["joint"], &worst["what"]], ["C", "transmission"]);
-    // The coupler as well is plotted.
+    // The coupler's angle is plotted, too, so it is the second output.
     assert_eq!(told["outputs"].as_array().unwrap().len(), 2);
 }
 
-/// A stroke has the unit of lengths; an output that is plotted by none is the one that numbers assemblies.
+/// A stroke has the unit of lengths. If the file plots nothing, the outputs include the coordinates of slides.
 #[test]
 fn outputs_of_slides() {
     let told = described("slider-crank-offset");
@@ -192,7 +193,7 @@ fn outputs_of_slides() {
     let between = (1_f64 / 2.0).asin() - (1_f64 / 4.0).asin();
     let ratio = (PI + between) / (PI - between);
     assert_near(&slider["time_ratio"], ratio);
-    // The rod is inclined most where the crank is upright: sin = (r + e)/l.
+    // The rod has its greatest inclination with the crank perpendicular to the guide: sin α = (r + e)/l.
     let worst = &told["transmissions"][0];
     assert_eq!(worst["what"], "pressure");
     assert_near(&worst["worst_deg"], (2_f64 / 3.0).asin().to_degrees());
@@ -201,7 +202,8 @@ fn outputs_of_slides() {
     let text = said(&["structure", "inverted-slider-crank"]);
     let line = "output       lever.angle: swing 60° from 60° to 120°, travel 120°; time ratio 2";
     assert!(text.lines().any(|one| one == line), "{text}");
-    // Where nothing is plotted: the angles, and the coordinates of what slides on the frame, without those that stay.
+    // If the file plots nothing, outputs are all angles, and the coordinates that vary of points that slide on the
+    // frame.
     let driven = said(&["structure", &data("linkages/driven-slide.json")]);
     let outputs = driven
         .lines()

@@ -1,4 +1,4 @@
-//! Which rows and columns a table has.
+//! Rows and columns of a table.
 
 use serde_json::{Value, json};
 
@@ -17,7 +17,7 @@ fn the_header_and_the_grid() {
     }
     header.push("reason".to_owned());
     assert_eq!(table.header, header);
-    // 360 is no multiple of 7.
+    // 360 is no multiple of 7, so the last row is at 357°.
     assert_eq!(table.rows.len(), 52);
     assert_eq!(table.cell(51, "phi_deg"), "357");
     for row in 0..52 {
@@ -32,11 +32,10 @@ fn the_header_and_the_grid() {
     );
 }
 
-/// Where there is no pose a row has the input and the reason; at a dead point it
-/// has the places, too.
+/// A row without a pose has the input and the reason; a row at a dead point has the positions, too.
 #[test]
 fn rows_without_a_pose_say_why() {
-    // l₂ + l₃ just spans BD where φ is a right angle.
+    // At a crank angle of 90° coupler and rocker are in line: BD = l₂ + l₃.
     let linkage = json!({
         "points": [
             {"name": "A", "at": [0, 0]}, {"name": "D", "at": [4, 0]},
@@ -51,7 +50,7 @@ fn rows_without_a_pose_say_why() {
         "drivers": [{"crank": "crank"}],
     });
     let file = Scratch::with("dead.json", &linkage.to_string());
-    // The crank swings from −90° to 90°; a whole turn has to be asked for.
+    // The crank swings from −90° to 90°. Rows outside this range need `--from` and `--to`.
     let whole = ["--from", "0", "--to", "360"];
     let text = said(&[&["sweep", file.path(), "--step", "30"][..], &whole].concat());
     let lines: Vec<&str> = text.lines().collect();
@@ -75,12 +74,12 @@ fn rows_without_a_pose_say_why() {
     assert!(none.ends_with("by 2.\""), "{none}");
 }
 
-/// Each pose of a motion over more than a turn once, in order.
+/// A motion over more than one turn has each pose once, in order.
 #[test]
 fn a_motion_over_more_than_a_turn() {
     let file = data("linkages/over-a-turn.json");
     let table = Table::of(&said(&["sweep", &file]));
-    // The dead points, and 76° to 486°.
+    // Two rows at the dead points, and one at each degree from 76° to 486°.
     assert_eq!(table.rows.len(), 2 + 411);
     let inputs = |row| table.number(row, "phi_deg");
     assert!((inputs(0) - 75.7958315).abs() < 1e-7, "{}", inputs(0));
@@ -94,8 +93,7 @@ fn a_motion_over_more_than_a_turn() {
         let crank = table.number(row, "crank.angle").to_degrees();
         assert!((crank - inputs(row)).abs() < 1e-11, "{crank}");
     }
-    // Away from the dead points rows follow each other, by Hermite's formula of fifth order: no part is left out
-    // elsewhere.
+    // Away from the dead points, consecutive rows agree with Hermite's formula of fifth order, so no part is missing.
     let table = Table::of(&said(&["sweep", &file, "--step", "0.25"]));
     for row in 40..1600 {
         for [value, first, second] in [
@@ -114,7 +112,7 @@ fn a_motion_over_more_than_a_turn() {
     }
 }
 
-/// The table of a motion that takes several turns to repeat has all of them.
+/// The table of a motion that repeats after several turns has rows over all of them.
 #[test]
 fn several_turns() {
     let table = Table::of(&said(&["sweep", "planetary", "--step", "90"]));
@@ -133,7 +131,7 @@ fn several_turns() {
     );
 }
 
-/// A mixer's crank that cannot turn fully swings on either of two arcs: both, and no more.
+/// A mixer's crank that cannot turn fully swings on either of two arcs. The table has both arcs and nothing else.
 #[test]
 fn several_arcs() {
     let state = std::fs::read_to_string(data("linkages/mixer-state.json")).unwrap();
@@ -157,16 +155,16 @@ fn several_arcs() {
         panic!("{ends:?}");
     };
     assert_eq!([high, end], [low + 1, last]);
-    // Nothing between the arcs, everything within.
+    // There are no rows between the arcs and no gaps within them.
     assert!(inputs[high] - inputs[low] > 1.0, "{inputs:?}");
     assert!(inputs[1..low].windows(2).all(|two| two[1] - two[0] == 1.0));
-    // Mirror images of each other.
+    // The arcs are mirror images of each other.
     for (from, to) in [(0, last), (low, high)] {
         assert!((inputs[from] + inputs[to] - 360.0).abs() < 1e-9);
     }
 }
 
-/// The reason at a dead point is the one that `structure` gives, in every linkage of the catalogue.
+/// The reason in a row at a dead point agrees with the report of `structure`, for every linkage of the catalogue.
 #[test]
 fn reasons_of_dead_points() {
     let kinds = [
@@ -216,8 +214,7 @@ fn reasons_of_dead_points() {
     }
 }
 
-/// At a dead point that is asked for by its digits there are no derivatives either: radians of these digits may be off by
-/// rounding.
+/// A dead point is recognised even if `--at` gives it in decimal degrees, whose conversion to radians is rounded.
 #[test]
 fn dead_points_by_their_digits() {
     for name in ["two-folds", "false-dead-2-1469"] {

@@ -86,7 +86,7 @@ pub fn lever_picture(
                     .flat_map(|(_, points)| points.iter().map(|(_, at)| *at)),
             );
             let middle = Point::new(0.5 * (left + right), 0.5 * (bottom + top));
-            // On the lever the couple acts in the sense in which it does power.
+            // The sense of the couple on the lever is that in which it does power.
             let at = couple(&mut drawing, Role::Accent1, middle, term.moment);
             drawing.name(Role::Accent1, name, at, at - middle);
         } else {

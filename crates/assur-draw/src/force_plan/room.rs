@@ -1,14 +1,14 @@
-//! Room for each force plan over the whole motion, so that its scale stays while the linkage moves.
+//! Room for each force plan over the whole motion, so that the scale of a plan is constant while the linkage moves.
 
 use assur::forces::ForcePlan;
 use assur::sorting::sort_by;
 
 use super::{extent, size};
 
-/// Size of a plan, relative to that which nine tenths of the poses keep to, beyond which it is left out: forces grow
-/// without bound near dead points.
+/// Limit of a plan's size, relative to the size that nine tenths of the poses do not exceed. Larger plans are left out,
+/// because forces grow without bound near dead points.
 const UNUSUAL: f64 = 2.0;
-/// Free room on every side for poses between the sampled ones, relative to the size.
+/// Margin on every side for poses between the sampled ones, relative to the size.
 const MARGIN: f64 = 0.02;
 
 /// Rectangles that hold each plan, by its number, in all usual poses of a motion.
@@ -16,7 +16,7 @@ const MARGIN: f64 = 0.02;
 pub struct PlanRooms(Vec<Option<[f64; 4]>>);
 
 impl PlanRooms {
-    /// The rooms of the plans in poses over a motion, without unusually great plans.
+    /// Returns the rooms of the plans in poses over a motion, without unusually large plans.
     pub fn over(poses: &[ForcePlan]) -> Self {
         let numbers = poses.iter().flat_map(|plan| &plan.steps);
         let count = numbers.map(|step| step.plan + 1).max().unwrap_or(0);
@@ -37,7 +37,7 @@ impl PlanRooms {
         Self((0..count).map(room).collect())
     }
 
-    /// The room of a plan, enlarged to hold it in this pose.
+    /// Returns the room of a plan, enlarged to hold the plan in this pose.
     pub(super) fn around(&self, number: usize, here: Option<[f64; 4]>) -> [f64; 4] {
         let usual = self.0.get(number).copied().flatten();
         let both = usual.into_iter().chain(here);

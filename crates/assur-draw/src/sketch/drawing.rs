@@ -26,8 +26,8 @@ impl Sketch {
         }
     }
 
-    /// Returns the side of a frame line that faces away from the fixed pivots, or the lower side if they are on both sides.
-    /// Moving figures have the same side, but for pivots near the line.
+    /// Returns the side of a frame line that faces away from the fixed pivots, or the lower side if they are on both
+    /// sides. The drawing of the motion has the same side, unless there are pivots near the line.
     pub(super) fn outer(&self, start: Point, along: Vector) -> Vector {
         let across = parts::lower(along);
         let pivots = self.draft.frame.iter().filter(|name| self.is_support(name));

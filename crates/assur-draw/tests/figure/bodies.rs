@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// The records of a drawing that are in the coordinates of a body.
+/// Returns the records in the coordinates of a body.
 fn on_body(figure: &Figure, body: usize) -> Vec<Vec<f32>> {
     let mut on = 0;
     let records = records(figure.rigid().numbers()).into_iter();
@@ -15,7 +15,7 @@ fn on_body(figure: &Figure, body: usize) -> Vec<Vec<f32>> {
     of_body.collect()
 }
 
-/// The unit of symbols: a hinge is 1.1 of it.
+/// Returns the symbol unit: the radius of a hinge's circle divided by 1.1.
 fn unit(figure: &Figure) -> f64 {
     let records = records(figure.rigid().numbers());
     let mut hinges = records.iter().filter(|record| record[0] == 3.0);
@@ -24,8 +24,8 @@ fn unit(figure: &Figure) -> f64 {
         .map_or(f64::NAN, |hinge| f64::from(hinge[5]) / 1.1)
 }
 
-/// A block stands on a hatched line all along its stroke; its pin is off the line. A lever
-/// goes through its block, which hides it.
+/// A block is drawn on a hatched line along its whole stroke; its pin is off that line. A lever passes through its
+/// block, which covers it.
 #[test]
 fn blocks_stand_on_their_guides() {
     let motion = Motion::new(Mechanism::new(&draft()).unwrap());
@@ -58,7 +58,7 @@ fn blocks_stand_on_their_guides() {
     let strokes: Vec<f64> = strokes.map(|record| f64::from(record[7])).collect();
     assert!(strokes.len() > 10 && strokes.iter().all(|y| *y < level - 0.5 * unit));
 
-    // Paper below, so that nothing is seen through it, and a pale block on it.
+    // Each block is filled with the colour of the paper, which hides what is behind it, and then with a pale colour.
     for link in ["slider", "block"] {
         let link = mechanism.link(link).unwrap();
         let body = on_body(&figure, link.index() + 1);
@@ -69,8 +69,8 @@ fn blocks_stand_on_their_guides() {
     }
 }
 
-/// A yoke is a slot with an arm to its own block, not a bar; two ways on the frame that cross
-/// are channels, open where they do.
+/// A yoke is drawn as a slot with an arm to its own block, not as a bar. Two guides on the frame that cross are
+/// channels; their walls are open at the crossing.
 #[test]
 fn yokes_have_slots_and_crossing_ways_are_channels() {
     let yoke = LinkageSpec::default()
@@ -94,7 +94,7 @@ fn yokes_have_slots_and_crossing_ways_are_channels() {
     let body = on_body(&figure, link.index() + 1);
     let polygons: Vec<_> = body.iter().filter(|record| record[0] == 1.0).collect();
     let role = f32::from(figure.drawn_role(link) as u8);
-    // The arm with its light line, the slot with a hole, the block.
+    // The arm with its lighter line, the slot with its hole, the block.
     let [arm, light, slot, paper, block] = polygons[..] else {
         panic!("{}", polygons.len());
     };
@@ -144,7 +144,7 @@ fn figure_of(motion: &Motion) -> Figure {
     Figure::new(motion, &view).unwrap_or_else(|unsolved| panic!("{unsolved}"))
 }
 
-/// The ground is a hatched line below all of the drawing; one out of sight is not drawn.
+/// The ground is a hatched line below the drawing. A ground line far from the drawing is not drawn.
 #[test]
 fn legs_stand_on_the_ground() {
     let motion = Motion::new(Mechanism::new(&draft()).unwrap());
@@ -165,7 +165,7 @@ fn legs_stand_on_the_ground() {
     let (none, plain) = lines(None);
     assert!(none.is_empty());
     let (ends, bounds) = lines(Some(-4.0));
-    // It reaches as far as the supports do, in the precision of a list.
+    // The line extends at least as far as the supports, within the precision of `f32`.
     let [from, to, _] = ends[0];
     assert!(from <= plain[0] as f32 && plain[2] as f32 <= to && bounds[1] < -4.0);
     assert!(ends.len() > 20 && ends[1..].iter().all(|[_, _, y]| *y < -4.0));
@@ -175,8 +175,8 @@ fn legs_stand_on_the_ground() {
     }
 }
 
-/// Each link has its number once, in the order of the document, a bar on itself; the frame has 0 at
-/// each support. They are not there where they are not asked for.
+/// With numbers shown, each link has its number once, in document order; the number of a bar is on the bar. The frame
+/// has 0 at each support.
 #[test]
 fn links_have_their_numbers() {
     let motion = Motion::new(Mechanism::new(&draft()).unwrap());
@@ -213,8 +213,8 @@ fn links_have_their_numbers() {
     }
 }
 
-/// The arc of a crank's angle ends in an arrow on the crank, at every angle; beside a block that
-/// drives is one along its way, off the line it stands on.
+/// The arc of the crank's angle ends at every angle in an arrow on the crank. A driven block has an arrow along its
+/// guide, off the guide's line.
 #[test]
 fn what_drives_has_an_arrow() {
     let tips = |records: &[Vec<f32>], role: Role| -> Vec<Point> {
@@ -250,7 +250,7 @@ fn what_drives_has_an_arrow() {
     let figure = figure_of(&motion);
     let link = motion.mechanism().link("slider").unwrap();
     let body = on_body(&figure, link.index() + 1);
-    // Seen from the pin: ahead of the block and above it.
+    // The tip is ahead of the pin and above the block.
     let [tip] = tips(&body, figure.drawn_role(link))[..] else {
         panic!("no arrow");
     };
@@ -261,7 +261,7 @@ fn what_drives_has_an_arrow() {
     );
 }
 
-/// Watt's line: its rocker goes from −75° to 34°.
+/// Watt's linkage for a straight line. Its rocker swings from −75° to 34°.
 fn rocker() -> LinkageSpec {
     LinkageSpec::default()
         .point("A", 0.0, 0.0)
@@ -275,7 +275,7 @@ fn rocker() -> LinkageSpec {
         .crank("crank")
 }
 
-/// A rocker, whose angle counts from below zero: its arc goes down to a negative angle.
+/// If the input angle is negative, its arc is drawn clockwise.
 #[test]
 fn negative_angles_go_the_other_way() {
     let motion = Motion::new(Mechanism::new(&rocker()).unwrap());
@@ -300,7 +300,8 @@ fn negative_angles_go_the_other_way() {
     }
 }
 
-/// With the letters of the paper on the combined method its sides and corners are named, and no other vector is drawn.
+/// With the letters of the paper on the combined method, its sides and corners have names, and no other vector is
+/// drawn.
 #[test]
 fn letters_of_the_combined_method() {
     let draft = LinkageSpec::default()

@@ -1,4 +1,4 @@
-//! A mixer with its motion and its drawing, and what is read of the lists.
+//! A mixer with its motion and its drawing; functions that read display lists.
 
 use std::f64::consts::TAU;
 
@@ -67,13 +67,13 @@ impl Drawn {
         self.figure.frame(&self.pose(crank))
     }
 
-    /// What moves and is no body, after the poses.
+    /// Returns the records after the poses of the bodies: everything that is not fixed to a body.
     pub(crate) fn moving(&self, crank: f64) -> Vec<Vec<f32>> {
         let frame = self.frame(crank);
         records(&frame[1 + 3 * frame[0] as usize..])
     }
 
-    /// Where A, B, C and D are by the closed form.
+    /// Returns the positions of A, B, C and D by the closed form.
     pub(crate) fn joints(&self, crank: f64) -> [Point; 4] {
         let pose = self.mixer.linkage.pose::<1>(self.mixer.assembly, crank);
         let pose = pose.unwrap_or_else(|unsolved| panic!("{unsolved}"));
@@ -84,7 +84,7 @@ impl Drawn {
         &self.figure.names()[label[2] as usize]
     }
 
-    /// The label of this text, which is there.
+    /// Returns the label with this text; panics if there is none.
     pub(crate) fn label<'a>(&self, records: &'a [Vec<f32>], text: &str) -> &'a [f32] {
         let mut labels = records.iter().filter(|record| record[0] == 4.0);
         let label = labels.find(|label| self.text(label) == text);
@@ -103,27 +103,27 @@ pub(crate) fn place(numbers: &[f32]) -> Point {
     Point::new(f64::from(numbers[0]), f64::from(numbers[1]))
 }
 
-/// Where a body's coordinates are, and its angle.
+/// Returns the origin of a body's coordinates, and the angle of the body.
 pub(crate) fn body(frame: &[f32], body: usize) -> (Point, f64) {
     let [x, y, angle] = [1, 2, 3].map(|i| f64::from(frame[3 * body + i]));
     (Point::new(x, y), angle)
 }
 
-/// A place in the coordinates of a body.
+/// Converts a position from the coordinates of a body to those of the drawing.
 pub(crate) fn on_body(frame: &[f32], index: usize, x: f64, y: f64) -> Point {
     let (at, angle) = body(frame, index);
     let (sin, cos) = angle.sin_cos();
     at + Vector::new(cos * x - sin * y, sin * x + cos * y)
 }
 
-/// How far a place is from the line between two others.
+/// Returns the distance of a position from the segment between two others.
 pub(crate) fn distance(place: Point, from: Point, to: Point) -> f64 {
     let along = to - from;
     let share = (place - from).dot(&along) / along.norm_squared();
     (place - (from + along * share.clamp(0.0, 1.0))).norm()
 }
 
-/// Six wheels, points on every kind of body.
+/// Returns a mixer with six wheels and with traced points on every kind of body.
 pub(crate) fn full() -> Dimensions {
     let mut dimensions = Case::A.dimensions();
     dimensions.wheels = (0..6)

@@ -1,4 +1,4 @@
-//! The mixer, drawn as any other linkage is, with its notes.
+//! The mixer, drawn like any other linkage, with its annotations.
 
 mod drawn;
 mod overlaid;

@@ -1,4 +1,4 @@
-//! Paths, vectors, loops and the transmission angle.
+//! Paths, vectors, loop vectors and the transmission angle.
 
 use std::f64::consts::TAU;
 
@@ -9,8 +9,7 @@ use assur_draw::{Figure, Overlays, Role, View};
 use super::drawn::*;
 use crate::records::records;
 
-/// Everything over the drawing, at every angle: numbers a screen can show,
-/// one constant number of records away from dead points.
+/// With all overlays, every coordinate is finite at all crank angles, and enough records are drawn.
 #[test]
 fn overlays_are_whole() {
     for lengths in [
@@ -21,7 +20,8 @@ fn overlays_are_whole() {
     ] {
         let [all, plain] =
             [ALL, Overlays::default()].map(|overlays| Drawn::new(&with_lengths(lengths), overlays));
-        // Paths of B and C on every arc, and three centres: a circle and its quarters.
+        // Additional records: the paths of B and C on every arc, and three centres of mass, each a circle with two
+        // quarters.
         let shapes = |drawn: &Drawn| {
             let rigid = records(drawn.figure.rigid().numbers());
             rigid.iter().filter(|record| record[0] > 0.0).count()
@@ -36,7 +36,7 @@ fn overlays_are_whole() {
             assert!(records > 8 + 15, "{crank}: {records}");
             assert!(all.frame(crank).iter().all(|x| x.is_finite()), "{crank}");
         }
-        // At a dead point there are no derivatives, all else is drawn.
+        // At a dead point everything is drawn except derivatives.
         for end in all.motion.dead_points() {
             let Ok(pose) = all.motion.pose::<1>(end.input) else {
                 continue;
@@ -46,8 +46,7 @@ fn overlays_are_whole() {
     }
 }
 
-/// Every marked point is on its own dashed curve at every angle, to what is
-/// seen: the curve is made of 720 chords a turn, or is a circle.
+/// Every traced point is on its own dashed curve, a circle or a polygon, within what can be seen at any crank angle.
 #[test]
 fn traced_points_run_along_their_curves() {
     let drawn = Drawn::new(&full(), Overlays::default());
@@ -58,7 +57,7 @@ fn traced_points_run_along_their_curves() {
     let curves: Vec<&Vec<f32>> = curves.collect();
     let tracers = drawn.mixer.tracers();
     assert_eq!(curves.len(), tracers.len());
-    // The crank's point goes round once.
+    // The point of the crank traces a circle.
     assert_eq!(curves[0][0], 3.0);
     for step in 0..100 {
         let crank = 0.0631 * f64::from(step);
@@ -87,7 +86,7 @@ fn traced_points_run_along_their_curves() {
     }
 }
 
-/// The path of C is as long as the rocker swings, the crank's a circle.
+/// The path of B is the circle of the crank. The path of C is an arc over the swing of the rocker.
 #[test]
 fn paths_of_joints_are_drawn_once() {
     let traces = Overlays {
@@ -116,8 +115,8 @@ fn paths_of_joints_are_drawn_once() {
     );
 }
 
-/// With vectors shown there is room for B's at every angle, and for most of
-/// C's; a point far away does not make the drawing vanish.
+/// With vectors shown, the bounds hold the tips of B's vectors at every angle and most tips of C's. A traced point far
+/// away does not extend the bounds without limit.
 #[test]
 fn bounds_hold_what_is_laid_over() {
     let vectors = Overlays {
@@ -154,8 +153,7 @@ fn bounds_hold_what_is_laid_over() {
     assert!(r - l < 5.0 * (plain[2] - plain[0]));
 }
 
-/// B's derivatives are as long as the crank and square to each other; all keep one
-/// scale.
+/// Both derivatives of B have the length of the crank and are perpendicular. All vectors of an order have one scale.
 #[test]
 fn vectors_are_derivatives_to_scale() {
     let drawn = Drawn::new(&Case::A.dimensions(), ALL);
@@ -180,7 +178,7 @@ fn vectors_are_derivatives_to_scale() {
     }
 }
 
-/// The arc spans μ, from the coupler's line.
+/// The arc of the transmission angle spans μ.
 #[test]
 fn transmission_arc_spans_the_angle() {
     let transmission = Overlays {
@@ -192,7 +190,7 @@ fn transmission_arc_spans_the_angle() {
         let crank = 0.1 * f64::from(step);
         let moving = drawn.moving(crank);
         let [.., c, _] = drawn.joints(crank);
-        // The arc is the last line: before it φ₁'s and, at times, the line beyond C.
+        // The arc is the last line. Before it come the arc of φ₁ and, if μ is obtuse, the line beyond C.
         let arc = moving.iter().rfind(|record| record[0] == 2.0).unwrap();
         let angle = |at: &[f32]| {
             let off = place(at) - c;
@@ -206,8 +204,8 @@ fn transmission_arc_spans_the_angle() {
     }
 }
 
-/// The loop closes as drawn: every vector begins and ends by its hinges, and has
-/// the symbol of the paper, or of its points.
+/// The loop vectors go from hinge to hinge. Their symbols are those of the paper or, without annotations, the names of
+/// their points.
 #[test]
 fn loop_vectors_lie_on_the_loop() {
     let vectors = Overlays {
@@ -217,7 +215,7 @@ fn loop_vectors_lie_on_the_loop() {
     let drawn = Drawn::new(&Case::A.dimensions(), vectors);
     let moving = drawn.moving(1.0);
     let [a, b, c, d] = drawn.joints(1.0);
-    // After the base, the arc and the head of φ₁.
+    // The first records belong to φ₁: the base line, the arc and its head.
     let heads = moving.iter().filter(|record| record[0] == 1.0).skip(1);
     let lines = moving.iter().filter(|record| record[0] == 2.0).skip(2);
     let vectors: Vec<_> = lines.zip(heads).collect();

@@ -26,7 +26,7 @@ fn lists_are_whole_and_bodies_have_poses() {
         assert!(named.clone().count() > 5);
         assert!(named.clone().all(|record| (record[1] as usize) < bodies));
         assert!(drawn.figure.rigid().numbers().iter().all(|x| x.is_finite()));
-        // The joints and the wheels have their names, φ₁ its arc with a head and a base.
+        // Joints and wheels have their names; φ₁ has an arc with a head and a base line.
         let moving = drawn.moving(1.0);
         let labels = moving.iter().filter(|record| record[0] == 4.0);
         let labels: Vec<&str> = labels.map(|label| drawn.text(label)).collect();
@@ -35,14 +35,13 @@ fn lists_are_whole_and_bodies_have_poses() {
     }
 }
 
-/// The circle of B, the path of C and the rims just fit: an inch of the screen is
-/// the same length for all who draw a mixer.
+/// The bounds just hold the circle of B, the path of C and the wheels, so a mixer always appears at the same size.
 #[test]
 fn bounds_are_tight() {
     let plain = Drawn::new(&Case::A.dimensions(), Overlays::default());
     let [left, bottom, right, top] = plain.figure.bounds();
     assert!((left + 0.37).abs() < 1e-12);
-    // C at its highest: straight above D.
+    // C at its highest point is vertically above D.
     assert!((0.549..=0.55).contains(&top), "{top}");
     let pair = &plain.mixer.gears.pairs()[0];
     let wheel = pair.driven_wheel();
@@ -51,7 +50,7 @@ fn bounds_are_tight() {
     assert!((bottom - (wheel.centre.y - rim)).abs() < 1e-12);
 }
 
-/// The bars end where the next ones begin: the drawing closes.
+/// Each bar ends where the next begins, so the loop closes.
 #[test]
 fn bodies_meet_at_the_joints() {
     let drawn = Drawn::new(&Case::A.dimensions(), Overlays::default());
@@ -62,8 +61,8 @@ fn bodies_meet_at_the_joints() {
     assert!((end(COUPLER, l2) - end(ROCKER, l3)).norm() < 1e-6);
 }
 
-/// Colours, wheels and blades are those of the figure; what turns inside a ring is
-/// drawn over it, bars over wheels, the crank over all bars.
+/// Colours, wheels and blades agree with the figure. Wheels inside a ring are drawn over it, bars over wheels, the
+/// crank over all bars.
 #[test]
 fn parts_are_painted_in_their_order_and_colours() {
     let mut dimensions = Case::C.dimensions();
@@ -76,16 +75,16 @@ fn parts_are_painted_in_their_order_and_colours() {
     let [rocker, coupler, crank] =
         [Role::Rocker, Role::Coupler, Role::Crank].map(|role| role as u8);
     let (support, paper) = (Role::Secondary as u8, Role::Paper as u8);
-    // Under A, D and the shaft of wheel 5.
+    // Under A and D, and under the shaft of wheel 5.
     let mut expected = vec![support; 3];
-    // The ring with its four blades, wheel 4 with three.
+    // The ring with its four blades; wheel 4 with its three.
     expected.extend([five; 5]);
     expected.extend([four; 4]);
     expected.extend([rocker, paper, coupler, paper, crank, paper]);
     assert_eq!(roles, expected);
 }
 
-/// The names of B and C stand beyond crank and rocker, and never on the coupler.
+/// The names of B and C are beyond the ends of crank and rocker, and never on the coupler.
 #[test]
 fn names_stand_beyond_the_links() {
     let drawn = Drawn::new(&Case::A.dimensions(), Overlays::default());
@@ -109,7 +108,7 @@ fn names_stand_beyond_the_links() {
     assert!(straight > 150, "{straight}");
 }
 
-/// A place on a bar or a wheel is on that body; beside all, on the nearest.
+/// A position on a bar or wheel belongs to that link; a position outside all belongs to the nearest link.
 #[test]
 fn a_place_is_on_what_is_drawn_there() {
     let drawn = Drawn::new(&full(), Overlays::default());

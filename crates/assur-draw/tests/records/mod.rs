@@ -1,6 +1,6 @@
-//! Display lists, read.
+//! Reading of display lists.
 
-/// Every record of the list, cut apart by its own counts.
+/// Cuts a list into its records, by the counts that the records contain.
 pub(crate) fn records(mut numbers: &[f32]) -> Vec<Vec<f32>> {
     let mut found = Vec::new();
     while let Some(kind) = numbers.first() {

@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Tips of the arrows that are filled with a colour, with where they begin, in the coordinates of the carrier.
+/// Returns starting points and tips of the arrows filled with a colour, in the coordinates of the carrier.
 fn arrows(all: &[Drawn], role: Role) -> Vec<[[f64; 2]; 2]> {
     let arrows = all
         .iter()
@@ -15,7 +15,7 @@ fn arrows(all: &[Drawn], role: Role) -> Vec<[[f64; 2]; 2]> {
     ends.collect()
 }
 
-/// The field turns the sun one way and the satellites back, in each gap as strongly as given.
+/// Forces on the satellites oppose the torques on sun and ring; in each gap they are proportional to the given torque.
 #[test]
 fn forces_on_satellites_are_against_the_torques() {
     let figure = TrainFigure::new(&magnets(), ALIKE);
@@ -44,8 +44,8 @@ fn forces_on_satellites_are_against_the_torques() {
     assert_eq!(self::arrows(&none, Role::Ink).len(), 0);
 }
 
-/// With the ring held the satellite turns about the point where it rolls in the ring; otherwise its velocities
-/// end on a line through the instantaneous centre as well.
+/// With the ring held, the instant centre of the satellite is at its contact with the ring. In all poses the tips of
+/// the velocities are on a line through the instant centre.
 #[test]
 fn velocities_end_on_a_line() {
     let view = TrainView {
@@ -58,7 +58,7 @@ fn velocities_end_on_a_line() {
         speeds: turned(&layout, sun, carrier),
         ..at_rest([0.0; 4])
     };
-    // ω₁ = 4 ω₃ holds the ring.
+    // With ω₁ = 4 ω₃ the ring is at rest.
     for (pose, centre) in [(moving(4.0, 1.0), Some(120.0)), (moving(-1.0, 0.7), None)] {
         let all = drawn(&figure, &pose).1;
         let arrows = arrows(&all, Role::Velocity);
@@ -82,12 +82,12 @@ fn velocities_end_on_a_line() {
         for slope in &slopes {
             assert!((slope / slopes[0] - 1.0).abs() < 1e-4, "{slopes:?}");
         }
-        // Two shafts that turn one way have the same sense at their points.
+        // The slope of the line of tips has the sign of the satellite's speed.
         assert_eq!(slopes[0] > 0.0, pose.speeds[1] > 0.0);
     }
 }
 
-/// So many plates that none is seen make a band: a list stays short.
+/// Plates too fine to be seen are drawn as a band, which keeps the list short.
 #[test]
 fn fine_plates_are_a_band() {
     let layout = layout(Train::planar([500.0, 200.0, 1000.0]).unwrap(), 6.0);
@@ -97,7 +97,7 @@ fn fine_plates_are_a_band() {
     }
 }
 
-/// A slipping mesh turns the satellite and nothing else.
+/// If the mesh slips, the angle of the satellite turns the satellite and no other body.
 #[test]
 fn bodies_turn_by_their_own_angles() {
     let figure = TrainFigure::new(&magnets(), ALIKE);

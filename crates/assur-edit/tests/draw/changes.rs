@@ -178,7 +178,7 @@ fn what_is_pasted_moves_alike() {
         });
         assert!((g.x - c.x - 6.0).abs() < 1e-12 && (g.y - c.y).abs() < 1e-12);
     }
-    // Into an empty sheet it comes as it was.
+    // In an empty sheet, the pasted parts keep their names.
     let empty = done(
         &LinkageDocument::default(),
         &[Edit::Paste {
@@ -310,7 +310,7 @@ fn numbers_are_set() {
     );
 }
 
-/// The last edit is known by what it has made.
+/// The result of an edit names the point and the link that were added.
 #[test]
 fn what_is_made_is_told() {
     let Edited {
@@ -326,7 +326,7 @@ fn what_is_made_is_told() {
     assert_eq!(link.as_deref(), Some("EF"));
 }
 
-/// A file may hold what no edit makes.
+/// A coordinate may be too large in a file, although no edit makes such a coordinate.
 #[test]
 fn what_is_too_far_is_not_drawn() {
     let mut far = four_bar();

@@ -6,7 +6,7 @@ use super::*;
 #[test]
 fn a_centre_of_mass_is_put_on_its_link() {
     let drawn = four_bar();
-    // A link called after its points has another name with one more point.
+    // The added point changes the name of a link that is named after its points.
     let centre = |of: &LinkageDocument, on| Edit::Centre {
         link: of.links[1].name.clone(),
         on,
@@ -30,7 +30,7 @@ fn a_centre_of_mass_is_put_on_its_link() {
     }
 }
 
-/// A joint that serves as the centre of mass stays where it is: a point is added.
+/// A joint that serves as the centre of mass is not moved; a new point is added instead.
 #[test]
 fn a_joint_is_not_moved_as_a_centre_of_mass() {
     let mut drawn = four_bar();

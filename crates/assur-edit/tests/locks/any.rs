@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// Random drawings with random locks, some of them in line or said twice: every lock holds, nothing turns over, what has
-/// no part in it stays to the last digit, and what is not held is where the hand is.
+/// Random drawings with random locks, some with points in line or redundant. Every lock holds, points without locks
+/// keep their exact positions, and a point that is not held reaches its target.
 #[test]
 fn whatever_is_locked_holds() {
     let letters = ["A", "B", "C", "D", "E", "F", "G"];
@@ -42,7 +42,7 @@ fn whatever_is_locked_holds() {
         } = put(&before, moved, to);
         for lock in &before.locks {
             let [was, is] = [value(&before, lock), value(&document, lock)];
-            // Half a turn is the same to either side.
+            // Angles of plus and minus half a turn are equal.
             let turned = if lock.len() == 3 { TAU } else { f64::INFINITY };
             let off = (is - was).abs().min((turned - (is - was).abs()).abs());
             assert!(off < 1e-9, "{round} {lock:?}: {was} {is} of {before:?}");

@@ -139,7 +139,7 @@ mod tests {
     use super::super::Kind;
     use crate::{LinkageDocument, from_catalogue};
 
-    /// Masses and loads are no dimensions of the drawing, but numbers that a lesson may vary.
+    /// Masses and loads are not dimensions of the drawing, but a lesson may vary them.
     #[test]
     fn masses_and_loads_are_numbers_of_a_linkage() {
         let mut linkage: LinkageDocument = from_catalogue("crank-rocker").unwrap().unwrap();

@@ -92,8 +92,8 @@ const BODY: [[f64; 2]; 3] = [[-0.5, -0.4], [1.0, 0.0], [-0.5, 0.4]];
 /// Size of the usual body, as a part of the greatest distance between poses.
 const SIZE: f64 = 0.2;
 
-/// Distance of a chosen hinge from that of a dyad below which they are the same, as a part of the task's size. A hinge is
-/// written with all its digits, but the nearest point of a curve is found to about half of them.
+/// Distance, as a part of the task's size, below which a wanted hinge and the hinge of a dyad count as the same. A
+/// hinge is saved with all its digits, but the nearest point of a curve is found to about half of them.
 const SAME: f64 = 1e-6;
 
 /// The dyads and linkages for the poses of a document.
@@ -112,7 +112,7 @@ pub struct Guidance {
 }
 
 impl PosesDocument {
-    /// The task, the dyads and the pair that is shown. That there is no pair is no error.
+    /// The task, the dyads and the pair that is shown. It is not an error if there is no pair.
     ///
     /// # Errors
     /// Every problem of the document.
@@ -253,7 +253,7 @@ fn on_body(task: &Task, at: Point) -> Point {
     first.place() + Vector::new(cos * at.x - sin * at.y, sin * at.x + cos * at.y)
 }
 
-/// Size of the usual body: 1, 2 or 5 times a power of ten, so that a drag rarely changes it.
+/// Size of the usual body: 1, 2 or 5 times a power of ten, so that the size rarely changes while a pose is dragged.
 fn size(task: &Task) -> f64 {
     let poses = task.poses();
     let apart = poses.iter().flat_map(|one| {
@@ -280,7 +280,7 @@ impl Guidance {
         ranked.linkages.iter().filter_map(place).collect()
     }
 
-    /// What a pair has to meet in order to have no defect.
+    /// The requirements that a pair without defects meets.
     pub fn requirements(&self) -> Requirements {
         Requirements {
             continuous: true,

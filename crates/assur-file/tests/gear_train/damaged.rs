@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// The places of everything in a value.
+/// Collects the paths of a value and of everything in it.
 fn places(value: &Value, at: &str, all: &mut Vec<String>) {
     all.push(at.to_owned());
     for (key, inner) in value.as_object().into_iter().flatten() {
@@ -100,7 +100,7 @@ fn damaged_documents_are_refused_or_move() {
     assert!(tried > 900 && good > 100, "{tried} {good}");
 }
 
-/// Something is said, and nothing twice.
+/// Checks that there is a problem, and that no problem is reported twice.
 fn once(problems: &[Problem], place: &str, value: &Value) {
     assert!(!problems.is_empty(), "{place} {value}");
     for (at, problem) in problems.iter().enumerate() {

@@ -20,7 +20,8 @@ fn what_is_not_followed_under_load_is_named() {
     assert_eq!(unloadable(|d| d.span_s = 31.0), [longest]);
 }
 
-/// In periods of the field, two plates each, the poles of all satellites meet those of both wheels.
+/// Alternating poles require an even number of plates on each wheel. All satellites must have the same phase in periods
+/// of the field, of two plates each.
 #[test]
 fn alternating_poles_need_even_wheels_and_their_own_phase() {
     let alternating = |d: &mut GearTrainDocument, z4: f64, satellites: f64| {
@@ -35,7 +36,7 @@ fn alternating_poles_need_even_wheels_and_their_own_phase() {
         [json!({"code": "out_of_phase", "satellites": satellites, "periods": periods})]
     };
     assert_eq!(unloadable(|d| d.satellites = 4.0), phase(4, 63));
-    // 62 plates are 31 periods: two satellites fit like poles, not alternating ones.
+    // 62 plates are 31 periods. Two satellites divide 62, so like poles fit, but they do not divide 31.
     assert_eq!(unloadable(|d| alternating(d, 42.0, 2.0)), phase(2, 31));
     for (z4, satellites, left, met) in [(42.0, 2.0, 31.0, false), (44.0, 4.0, 32.0, true)] {
         let mut document = read();

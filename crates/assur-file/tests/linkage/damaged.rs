@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Everything in a document, the whole first.
+/// Collects the paths of a value, beginning with the whole, and of everything in it.
 fn places(value: &Value, at: &str, all: &mut Vec<String>) {
     all.push(at.to_owned());
     for (key, inner) in value.as_object().into_iter().flatten() {
@@ -13,7 +13,7 @@ fn places(value: &Value, at: &str, all: &mut Vec<String>) {
     }
 }
 
-/// Damaged files: each is refused by a problem that says where, or moves.
+/// Each damaged file is refused with a problem that names the faulty part, or describes a linkage that moves.
 #[test]
 fn damaged_linkages_are_refused_or_move() {
     let whole = json!({"format": 1, "lesson": "linkage", "document": everything()});
@@ -52,7 +52,7 @@ fn damaged_linkages_are_refused_or_move() {
             }
         }
     }
-    // The text may end anywhere.
+    // The text may be cut off anywhere.
     let text = whole.to_string();
     for end in (0..text.len()).step_by(3) {
         tried += 1;
@@ -64,7 +64,7 @@ fn damaged_linkages_are_refused_or_move() {
     );
 }
 
-/// What the page plots of a linkage, by its choices.
+/// The quantities that the page plots for each choice of plots.
 #[test]
 fn plots_are_of_one_kind() {
     let document = from_catalogue("whitworth").unwrap().unwrap();
@@ -74,7 +74,7 @@ fn plots_are_of_one_kind() {
         let plotted = document.plotted(mechanism, choice)?;
         Some(plotted.iter().map(|one| one.name(mechanism, 0)).collect())
     };
-    // Of what the document asks for, a length and an angle, those like the first.
+    // The document plots a length and an angle. The choice `angles` plots those of the same kind as the first.
     assert_eq!(document.plots, ["F.x", "lever.angle"]);
     assert_eq!(names("angles").unwrap(), ["F.x"]);
     assert_eq!(names("lever.angle").unwrap(), ["lever.angle"]);
@@ -84,7 +84,8 @@ fn plots_are_of_one_kind() {
         plots: Vec::new(),
         ..document.clone()
     };
-    // Of one that asks for nothing what textbooks show: where the slider is, then how the lever swings.
+    // If the document plots nothing, the outputs are those usual in textbooks: the slider's coordinate, then the
+    // lever's angle.
     let usual = silent.outputs(mechanism);
     let usual: Vec<String> = usual.iter().map(|one| one.name(mechanism, 0)).collect();
     assert_eq!(usual, ["F.x", "lever.angle"]);
@@ -92,7 +93,7 @@ fn plots_are_of_one_kind() {
     assert_eq!(shown.len(), 1);
 }
 
-/// An assembly is one of those there are, counted from 1; without one it is the drawn.
+/// `assembly` selects an existing assembly, counted from 1. Without it the assembly is the drawn one.
 #[test]
 fn an_assembly_is_chosen() {
     let mut document = from_catalogue("jansen").unwrap().unwrap();
@@ -119,7 +120,8 @@ fn an_assembly_is_chosen() {
     }
 }
 
-/// Two points of a link at one place give it no direction: refused, or given by others of its points.
+/// If the two points that give a link its direction coincide in the drawing, the link is refused, unless its given
+/// shape determines the direction.
 #[test]
 fn what_is_drawn_at_one_place() {
     let cases = [
@@ -137,7 +139,7 @@ fn what_is_drawn_at_one_place() {
         assert_eq!(said(&document.mechanism().unwrap_err()), [problem]);
     }
 
-    // A coupler with its shape given: its second point M may be drawn on the first, B.
+    // A coupler with a given shape: its second point M may be drawn at its first point B.
     let coupler = |drawn_at: Value| {
         let linkage = json!({
             "points": [

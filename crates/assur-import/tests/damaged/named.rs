@@ -1,4 +1,4 @@
-//! Faults by name, extreme numbers, files that would swell.
+//! Faults that a problem names, extreme numbers, texts that need much memory.
 
 use assur_import::LeftOut;
 
@@ -153,7 +153,7 @@ fn what_is_wrong_is_told() {
     ));
 }
 
-/// Programs write numbers otherwise than JSON has them.
+/// Other programs write numbers in forms that JSON does not allow.
 #[test]
 fn numbers_without_a_digit_before_or_after_the_point_are_read() {
     let link = "j=A,.5,5.,AB,R,t,0,0.1,t,%0AB,+3,-.5e1,AB,R,f,0,0.1,f,%0A&l=AB,1.,+1,0,0,A%7CB,,";
@@ -172,7 +172,8 @@ fn numbers_without_a_digit_before_or_after_the_point_are_read() {
     }
 }
 
-/// A driver so slow that others would go infinitely faster stands still; half of the least number is no radius.
+/// A driver counts as at rest if it is so slow that the rates of the others would be infinite. A length whose half
+/// rounds to zero yields no slot.
 #[test]
 fn extreme_numbers_stay_finite() {
     let anchors = "<connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"1e-320\"/>\
@@ -201,14 +202,14 @@ fn extreme_numbers_stay_finite() {
     sound(&imported);
 }
 
-/// What is allocated while a text is read, in bytes for each of its own: all together, and at the most at once.
+/// Returns the bytes allocated while a text is read, per byte of the text: in total, and at most at one time.
 fn room(text: &str, read: impl FnOnce(&str)) -> [u64; 2] {
     let room = measure(|| read(text));
     let length = text.len() as u64;
     [room.bytes_total / length, room.bytes_max / length]
 }
 
-/// Declarations of entities, deep and long texts take room and work in proportion to their length.
+/// Declarations of entities are refused. Deeply nested and long texts need memory in proportion to their length.
 #[test]
 fn what_would_swell_is_refused() {
     let bomb = "<linkage2><!DOCTYPE a [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;\">]></linkage2>";
@@ -251,7 +252,8 @@ fn what_would_swell_is_refused() {
     }
 }
 
-/// The first anchor is moved by hand: the speed of the second is lost, and listed. An actuator with three joints is rigid.
+/// The first anchor is moved only by hand, so the speed of the second is lost and listed. An actuator with three joints
+/// becomes rigid.
 #[test]
 fn a_lost_speed_and_a_rigid_actuator_are_listed() {
     let anchors = "<connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"15\" alwaysmanual=\"true\"/>\

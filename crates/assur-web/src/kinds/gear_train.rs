@@ -85,8 +85,8 @@ impl Capabilities for GearTrain {
 const LOADED: [f64; 4] = [0.15, 0.5, 0.7, 0.75];
 
 impl Edited for GearTrain {
-    /// Sets the greatest torque of the load, the only dimension of a train. The times of the load stay the same. Only a
-    /// load without torque, whose number of knots is not four, gets the times of [`LOADED`].
+    /// Sets the greatest torque of the load, the only dimension of a train. The times of the load are kept, except for
+    /// a load without torque that does not have four knots: it gets the times of [`LOADED`].
     fn set(&self, field: &str, value: f64, _input: f64) -> Result<Change, Vec<Problem>> {
         if field != "load" {
             return Err(vec![unknown(field)]);

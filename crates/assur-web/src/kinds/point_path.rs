@@ -27,13 +27,13 @@ use summary::PathSummary;
 /// Greatest number of points that can be dragged one by one.
 const MOST_HANDLES: usize = 24;
 
-/// Places of the curve of a linkage that becomes a path, few enough to be dragged.
+/// Number of points taken from the curve of a linkage that becomes a path: few enough to be dragged one by one.
 const PLACES: usize = MOST_HANDLES;
 
 /// Distance of a point from the traced curve, as a part of the path's size, up to which the point is met.
 const MET: f64 = 1e-6;
 
-/// Number of steps of a dragged point in the size of the path.
+/// Number of steps of a dragged point over the size of the path.
 const STEPS: f64 = 500.0;
 
 pub(crate) struct Path {

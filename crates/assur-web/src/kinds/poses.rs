@@ -24,7 +24,7 @@ use summary::PosesSummary;
 /// Step of a dragged direction, degrees. A hand cannot set an angle more precisely.
 const STEP_DEG: f64 = 0.1;
 
-/// Number of steps of a dragged place in the size of the body.
+/// Number of steps of a dragged place over the size of the body.
 const STEPS: f64 = 100.0;
 
 /// Name by which the page presses a place on a curve of four poses.
@@ -48,7 +48,7 @@ struct Shown {
     /// As a document for the simulator.
     linkage: Document,
     moving: Moving,
-    /// Inputs at which it meets the poses.
+    /// Inputs at which the linkage meets the poses.
     met: Vec<Option<f64>>,
 }
 
@@ -82,7 +82,8 @@ impl Poses {
         let hinges = Hinges::new(document, &found);
         let mut scene = Scene::new(&found, &hinges);
         let shown = Shown::new(state, document, &found, (&mut scene, &hinges));
-        // A choice of the view that this linkage lacks is the page's to mend.
+        // A choice of the view that this linkage lacks is an error of the whole document: the page then corrects the
+        // view.
         if let Err(problems) = &shown
             && let [Problem::UnknownChoice { .. }] = problems[..]
         {
@@ -223,7 +224,7 @@ impl Edited for Poses {
 }
 
 impl Poses {
-    /// A place in steps of a hundredth of the body's size, to a power of ten.
+    /// Rounds a position to steps of at most a hundredth of the body's size, powers of ten.
     fn rounded(&self, at: Point) -> [f64; 2] {
         let steps = 10.0_f64.powf((STEPS / self.scene.size).log10().ceil());
         [at.x, at.y].map(|value| (value * steps).round() / steps)

@@ -1,4 +1,5 @@
-//! What the tasks of synthesis on the page share: the moving linkage in the drawing of its task, and a task without one.
+//! Parts shared by the tasks of synthesis on the page: the moving linkage in the drawing of its task, and a task
+//! without one.
 
 use std::collections::BTreeMap;
 
@@ -42,7 +43,7 @@ impl<'a> StillSummary<'a> {
     }
 }
 
-/// A moving linkage with what is drawn of its task.
+/// Makes a moving linkage whose drawing also shows its task.
 ///
 /// # Errors
 /// Problems that prevent the drawing.

@@ -38,8 +38,8 @@ impl Moving {
         ForceScale::over(&poses, self.figure.size())
     }
 
-    /// Names of the forces whose arrows have names: the reactions in the order of the pairs, then what the drivers
-    /// exert.
+    /// Names of the forces whose arrows have names: the reactions in the order of the pairs, then the torques and
+    /// forces of the drivers.
     pub(super) fn names_of_forces(
         forces: &Forces,
         numbers: &BTreeMap<String, String>,
@@ -69,8 +69,8 @@ impl Moving {
         reactions.chain(drives).collect()
     }
 
-    /// Reactions, each on the link placed later, applied forces, and what the drivers exert. What is statically
-    /// indeterminate is left out. The reaction of a hinge with friction touches the friction circle.
+    /// Reactions, each on the link placed later, applied forces, and torques and forces of the drivers. Statically
+    /// indeterminate ones are left out. The reaction of a hinge with friction touches the friction circle.
     fn arrows(&self, pose: &Pose<3>, found: &Reactions) -> Vec<ForceArrow> {
         let mechanism = self.mechanism();
         let mut arrows = Vec::new();
@@ -111,7 +111,7 @@ impl Moving {
             };
             let at = one.place(mechanism);
             let mut parts = vec![Acting::Force(one.force)];
-            // A friction couple is the displacement of its reaction.
+            // A friction couple has no arrow: it is shown by the displacement of its reaction.
             if !matches!(one.source, Source::Friction(_)) {
                 parts.push(Acting::Torque(one.couple));
             }
@@ -136,7 +136,7 @@ impl Moving {
     }
 }
 
-/// Arrow of what a driver exerts: about the hinge of a crank on its base, or along the line of a slide.
+/// Arrow of a driver's torque, about the hinge of the crank on its base, or of its force, along the line of the slide.
 fn drive(
     mechanism: &Mechanism,
     pose: &Pose<3>,

@@ -90,7 +90,7 @@ impl Moving {
         self.figure.chart_of_values(kind, series, settings, &values)
     }
 
-    /// The plot of two columns against each other, of which one is a force at least.
+    /// The plot of two columns against each other, at least one of which is a force.
     pub(super) fn against_with_forces(&self, pair: Pair<Column>) -> Against {
         let forces_of = self.forces();
         let axis = |column: Option<Column>| -> Axis {

@@ -15,8 +15,8 @@ impl Simulator {
         Ok(to_js(&here.map_err(thrown)?))
     }
 
-    /// The greatest of each reaction, of what each driver exerts and of the shaking force over the motion, with its
-    /// input.
+    /// The greatest values of the reactions, of the drivers' torques and forces and of the shaking force over the
+    /// motion, each with its input.
     ///
     /// # Errors
     /// A document that is not a moving linkage.

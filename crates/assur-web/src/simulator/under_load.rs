@@ -4,8 +4,8 @@ use super::*;
 
 #[wasm_bindgen]
 impl Simulator {
-    /// Begins a run of the motion under load at an input and a rate, in place of an earlier one. It does not change with the
-    /// document.
+    /// Begins a run of the motion under load at an input and a rate; an earlier run ends. The run keeps its linkage if
+    /// the document changes.
     ///
     /// # Errors
     /// The reasons why there is none: no linkage, a defect of the loads or the motor, no pose.

@@ -67,7 +67,7 @@ fn a_strong_load_makes_meshes_slip() {
         slips.iter().any(|one| one.as_i64().unwrap().abs() > 5),
         "{slips:?}"
     );
-    // The load angle goes on with every period that slips.
+    // The load angle grows with every slipped period.
     let mesh = if slips[0].as_i64().unwrap().abs() > 5 {
         0
     } else {
@@ -85,7 +85,7 @@ fn a_strong_load_makes_meshes_slip() {
     assert!(imbalance.abs() < 1e-6, "{imbalance}");
 }
 
-/// What runs away at once can be shown all the same.
+/// A run that halts at its start can be shown.
 #[wasm_bindgen_test]
 fn a_run_that_halts_at_once_is_shown() {
     let load = json!({"loaded": true, "load": [[0, -1e9]], "bodies": {"damping": [0, 0, 0, 0]}});
@@ -175,7 +175,7 @@ fn the_table_has_a_row_for_every_step() {
                 .collect();
             let expected = &lists(&simulator, time)[2][1..];
             assert_eq!(values.len(), expected.len());
-            // Numbers that go through text may differ in their last digit.
+            // The last digit of a number may change in the conversion through JSON.
             for (value, expected) in values.iter().zip(expected) {
                 let off = (value - expected).abs();
                 assert!(off <= 1e-15 * expected.abs(), "{value} {expected}");
@@ -184,7 +184,7 @@ fn the_table_has_a_row_for_every_step() {
     }
 }
 
-/// How long it takes: told, not asserted.
+/// Prints how long runs take, without asserting it.
 #[wasm_bindgen_test]
 fn how_long_it_takes() {
     let now = || web_sys::window().unwrap().performance().unwrap().now();

@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// The layout of a chart of 400 by 600 pixels, and the context it was drawn on;
-/// `extra` goes into the request.
+/// Returns the layout of a chart of 400 by 600 pixels, and the context on which it was drawn. `extra` is added to the
+/// request.
 fn chart(simulator: &Simulator, extra: &str) -> (JsValue, CanvasRenderingContext2d) {
     let document = web_sys::window().unwrap().document().unwrap();
     let canvas: HtmlCanvasElement = document.create_element("canvas").unwrap().unchecked_into();
@@ -27,7 +27,7 @@ fn chart(simulator: &Simulator, extra: &str) -> (JsValue, CanvasRenderingContext
     (layout, context)
 }
 
-/// What is plotted, by what its derivatives are, and what of it is marked.
+/// The plotted quantities, the variable of their derivatives, and the marks on the curves.
 #[wasm_bindgen_test]
 fn plots_are_chosen() {
     let mut simulator = simulator();
@@ -44,7 +44,7 @@ fn plots_are_chosen() {
         texts("panels.0.series", "name"),
         ["rocker.angle", "wheel5.angle"]
     );
-    // φ₃ and φ₅ swing and pass no zero, their rates do so twice.
+    // φ₃ and φ₅ oscillate without a zero; each derivative of both has two zeros.
     let zeros = |panel: usize| {
         let kinds = texts(&format!("panels.{panel}.marks"), "kind");
         kinds.iter().filter(|kind| *kind == "zero").count()
@@ -103,8 +103,7 @@ fn plots_are_chosen() {
     assert_eq!(at(&simulator, crank).unwrap()[3], plotted);
 }
 
-/// plotters' curves stand where the layout says: the pixel under φ₃ at 60° is
-/// drawn in the rocker's colour.
+/// The curves are where the layout says: the pixel of φ₃ at 60° has the colour of the rocker.
 #[wasm_bindgen_test]
 fn chart_draws_where_its_layout_says() {
     let simulator = simulator();

@@ -5,7 +5,7 @@ use assur::dynamics::{
     Satellites, Start,
 };
 
-/// A run with so much friction of the brush, N·m; pull-out is at 18.9.
+/// Returns a run with this friction of the brush, N·m; the magnets are pulled out at 18.9 N·m.
 pub(crate) fn run(friction: f64) -> Run {
     let shaft = |inertia, drive, load| Driven {
         inertia,

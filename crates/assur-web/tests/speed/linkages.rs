@@ -10,7 +10,7 @@ use assur::motion::Motion;
 
 use super::{Contestant, SWEEPS};
 
-/// Samples of a turn: one each degree.
+/// Number of samples of a turn, one for each degree.
 const DEGREES: usize = 360;
 
 pub(crate) fn contestants() -> Vec<Contestant> {
@@ -27,7 +27,7 @@ pub(crate) fn contestants() -> Vec<Contestant> {
             Box::new(move || {
                 for _ in 0..SWEEPS {
                     for index in 0..DEGREES {
-                        // Off the samples by which the motion was followed.
+                        // The angles lie between the samples with which the motion was followed.
                         let crank = TAU * (index as f64 + 0.3) / DEGREES as f64;
                         full.store(&motion, index, black_box(crank));
                     }
@@ -91,7 +91,7 @@ pub(crate) fn contestants() -> Vec<Contestant> {
     contestants
 }
 
-/// Sweeps of a linkage whose links are uniform bars, under gravity: its poses, with the reactions in them or without.
+/// Returns sweeps of a linkage whose links are uniform bars under gravity: poses, with or without their reactions.
 fn reactions(name: &str, with_reactions: bool) -> Box<dyn FnMut()> {
     let mut spec = motion(name).mechanism().spec().clone();
     for link in &mut spec.links {
@@ -120,15 +120,15 @@ fn reactions(name: &str, with_reactions: bool) -> Box<dyn FnMut()> {
     })
 }
 
-/// The motion of a linkage of the catalogue, as it is drawn.
+/// Returns the motion of a linkage of the catalogue in its drawn assembly.
 fn motion(name: &str) -> Motion {
     let document = assur_file::from_catalogue(name).unwrap().unwrap();
     let mechanism = document.mechanism().unwrap();
     Motion::new(mechanism)
 }
 
-/// The columns of a linkage, with both derivatives of each: the angles of its links as the yardstick has them; or, as a
-/// table of the Class IV mechanism, the places of the moving points and the angle of the output.
+/// Columns of a linkage, with both derivatives of each. They are the angles of the links, as for the reference; or, as
+/// in a table of the Class IV mechanism, the positions of the moving points and the angle of the output.
 struct Full {
     pose: mechanism::Pose<3>,
     points: Vec<PointId>,

@@ -9,7 +9,7 @@ use assur_file::Document;
 
 use super::Contestant;
 
-/// Linkages that a run of a search compares: whole batches with their descents.
+/// Number of linkages that a run of a search compares: whole batches with their descents.
 const CANDIDATES: usize = 20_000;
 
 /// The rectangle in which curves are drawn.
@@ -49,7 +49,7 @@ pub(crate) fn contestants() -> Vec<Contestant> {
     ]
 }
 
-/// A closed path of two harmonics with 24 points.
+/// A closed path of two harmonics, sampled at 24 points.
 fn drawn() -> Target {
     let points = (0..24).map(|k| {
         let t = f64::from(k) * std::f64::consts::TAU / 24.0;

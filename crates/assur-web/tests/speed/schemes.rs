@@ -1,19 +1,19 @@
-//! Schemes of 200 links and 300 pairs, counted, opened and rank_report.
+//! Schemes of 200 links and 300 pairs, with their counts, sections and ranks.
 
 use assur::mobility::{PairKind, PairSpec, Point3, Scheme, SchemeSpec, Space, Vector3};
 
 const LINKS: usize = 200;
 
-/// Which links are joined.
+/// Arrangement of the pairs between links.
 #[derive(Clone, Copy)]
 pub(crate) enum Net {
     /// Two rings with a rung at each link.
     Ladder,
-    /// A ring, and pairs across it between links at random.
+    /// A ring with pairs between random links across it.
     Random,
 }
 
-/// A scheme of hinges. Of a flat one axes are normal to the plane, else at random.
+/// Returns a scheme of hinges. The axes of a planar one are normal to the plane, those of a spatial one are random.
 pub(crate) fn scheme(net: Net, planar: bool) -> Scheme {
     let mut random = Random(1);
     let half = LINKS / 2;
@@ -55,7 +55,7 @@ pub(crate) fn scheme(net: Net, planar: bool) -> Scheme {
     Scheme::new(&draft).unwrap()
 }
 
-/// Counts, sections and rank.
+/// Returns mobility by count, mobility by sections and rank.
 pub(crate) fn judge(scheme: &Scheme, space: Space) -> (isize, isize, usize) {
     let counted = scheme.counts().mobility();
     let sections = scheme.sections(&scheme.automatic()).unwrap();
@@ -63,7 +63,7 @@ pub(crate) fn judge(scheme: &Scheme, space: Space) -> (isize, isize, usize) {
     (counted, sections.by_loops(), verdict.mobility)
 }
 
-/// Numbers from 0 to 1 (Lehmer, 1949, as in MINSTD).
+/// A generator of random numbers from 0 to 1 (Lehmer, 1949, as in MINSTD).
 struct Random(u64);
 
 impl Random {

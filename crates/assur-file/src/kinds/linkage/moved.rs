@@ -180,8 +180,8 @@ impl LinkageDocument {
     }
 }
 
-/// Whether a name may be that of a plotted force: a part of a reaction or of the shaking force, or what a driver
-/// exerts.
+/// Whether a name may be that of a plotted force: of a part of a reaction or of the shaking force, or of the torque or
+/// force of a driver.
 pub fn is_of_forces(name: &str) -> bool {
     const FORCES: [&str; 10] = [
         "reaction",

@@ -146,9 +146,9 @@ pub enum LinkageProblem {
     CycleNoRate,
     /// A steady cycle of a driver that does not turn fully.
     CycleNotFull,
-    /// A steady cycle for whose loads the motor does too little work, or too much, at any rate.
+    /// A steady cycle for whose loads the motor does too little or too much work at every rate.
     CycleUnbalanced,
-    /// A steady cycle on whose way the linkage stops.
+    /// A steady cycle that is not found, because the linkage stops or its energy does not settle.
     CycleNotFound,
     /// A coefficient of non-uniformity that is not greater than zero, or too great.
     BadNonUniformity { max: f64 },

@@ -14,7 +14,7 @@ use crate::simulator::one;
 const COUNT: usize = 12;
 const RANGE: [f64; 2] = [0.6, 6.0];
 
-/// Places of each curve.
+/// Number of points of each curve.
 const PLACES: usize = 49;
 
 /// What the axes of the atlas leave open.

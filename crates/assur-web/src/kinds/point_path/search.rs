@@ -102,7 +102,7 @@ impl PathSearch {
         })
     }
 
-    /// Compares so many linkages.
+    /// Compares this number of further linkages, and returns the state of the search.
     #[wasm_bindgen(unchecked_return_type = "TracingProgress")]
     pub fn step(&mut self, candidates: usize) -> JsValue {
         let first = self.search.progress().candidates == 0;

@@ -11,7 +11,7 @@ pub(super) const ROLES: [Role; 2] = [Role::Crank, Role::Rocker];
 /// Distance from a curve within which a press chooses its point, in symbol units.
 pub(super) const PRESSED: f64 = 3.0;
 
-/// Distinct poses that leave curves of hinges.
+/// Number of distinct poses that leave curves for the hinges.
 const ON_CURVES: usize = 4;
 
 /// Reach of the curves beyond the poses, as a part of their diagonal.
@@ -59,8 +59,8 @@ impl Hinges {
         }
     }
 
-    /// Hinges that may be dragged: whether it is on the frame, number of its dyad, place. Those on the body are in the
-    /// last pose.
+    /// Hinges that may be dragged: for each, whether it is on the frame, the number of its dyad, and its place. The
+    /// places of hinges on the body are in the last pose.
     pub(super) fn places(&self) -> impl Iterator<Item = (bool, usize, Point)> + '_ {
         let frame = self.pairs.iter().enumerate();
         let frame = frame.filter_map(|(k, (dyad, _))| match dyad.centre() {
@@ -72,12 +72,12 @@ impl Hinges {
         frame.chain(body)
     }
 
-    /// The hinge of each shown dyad that chooses it.
+    /// The hinges by which the shown dyads are chosen, one for each dyad.
     pub(super) fn wanted(&self) -> Vec<HingeDocument> {
         self.pairs.iter().map(|(_, hinge)| *hinge).collect()
     }
 
-    /// The wanted hinges after one of them is dragged to a place; of four poses, to the nearest point of its curve.
+    /// The wanted hinges after one of them is dragged to a place or, for four poses, to the nearest point of its curve.
     pub(super) fn moved(
         &self,
         found: &Guidance,

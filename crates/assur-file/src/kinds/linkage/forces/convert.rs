@@ -45,7 +45,7 @@ impl ForceUnits {
         self.length * self.length
     }
 
-    /// The engine's unit of what the first driver exerts: a torque of a crank, a force of a slide.
+    /// The engine's unit of torque if the first driver is a crank, or of force if it is a slide.
     pub fn drive(self, turns: bool) -> f64 {
         if turns { self.torque() } else { self.force() }
     }
@@ -122,7 +122,7 @@ impl LinkageDocument {
     }
 }
 
-/// The parts that are of a kind; a problem for each of the others.
+/// The parts whose kind is clear; adds a problem to `unclear` for each of the others.
 fn known<T>(
     parts: impl Iterator<Item = Result<T, (&'static str, usize)>>,
     unclear: &mut Vec<LinkageProblem>,
