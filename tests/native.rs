@@ -26,6 +26,7 @@ mod mechanism;
 mod mixer;
 mod mobility;
 mod motion_under_load;
+mod motion_with_friction;
 mod nine_points;
 mod planetary;
 mod poses;

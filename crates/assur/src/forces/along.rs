@@ -1,7 +1,8 @@
 //! The energy of a linkage under load along its input.
 
 use super::system::System;
-use crate::numeric::gauss::Adaptive;
+use crate::numeric::gauss::{Adaptive, Advance};
+use crate::numeric::roots::root;
 
 /// Error of a step before its extrapolation, relative to the kinetic energy.
 const ERROR: f64 = 1e-13;
@@ -67,7 +68,7 @@ impl Along {
     pub(super) fn rates(&self, system: &mut System) -> Option<[f64; 2]> {
         let reduced = system.reduced(self.input())?;
         let rate = self.sense * speed(self.state[0] * self.energy, reduced.inertia);
-        Some([rate, system.acceleration(&reduced, rate)])
+        Some([rate, system.acceleration(self.input(), rate)])
     }
 
     pub(super) fn reached(&self, system: &System) -> Reached {
@@ -109,33 +110,66 @@ impl Along {
         let most = left.min(system.way_to_knot(from, sense));
         let least = SHORTEST * system.unit;
         let unit = system.unit;
-        let part = self.state[0];
-        let advance = self.steps.step(
-            [most, least.min(most)],
-            &self.state,
-            |moment| {
-                let [part, by_energy, by_torque, ..] = moment.rates;
-                let slopes = system.reduced(from + sense * moment.time).map(|reduced| {
-                    let speed = speed(part * energy, reduced.inertia);
-                    let rate = sense * speed;
-                    let [motor, by_rate] = system.motor.torque(rate);
-                    let by_rate = by_rate + reduced.linear + 2.0 * reduced.quadratic * speed;
-                    let torque = reduced.torque(rate) + motor;
-                    let grows = by_rate / (reduced.inertia * speed);
-                    let slow = first / speed;
-                    [
-                        sense * torque / energy,
-                        grows * by_energy,
-                        grows * by_torque + sense / unit,
-                        slow,
-                        -slow * by_energy / (2.0 * part),
-                        -slow * by_torque / (2.0 * part),
-                    ]
-                });
-                slopes.unwrap_or([f64::NAN; 6])
-            },
-            |[_, off]| off.into_iter().map(f64::abs).fold(0.0, f64::max) / (ERROR * part),
-        )?;
+        let (part, before) = (self.state[0], self.steps);
+        let rate = self.sense * speed(part * energy, system.reduced(from)?.inertia);
+        system.face([from, rate], sense);
+        let mut trial = |system: &mut System, most: f64| {
+            self.steps = before;
+            self.steps.step(
+                [most, least.min(most)],
+                &self.state,
+                |moment| {
+                    let [part, by_energy, by_torque, ..] = moment.rates;
+                    let input = from + sense * moment.time;
+                    let slopes = system.reduced(input).and_then(|reduced| {
+                        let speed = speed(part * energy, reduced.inertia);
+                        let torques = system.torques_in(reduced, [input, sense * speed], true)?;
+                        let friction = torques.friction;
+                        // The friction depends also on the torque of the drive.
+                        let by_drive = 1.0 + friction.by_drive;
+                        let by_rate = torques.motor[1] * by_drive
+                            + friction.by_rate
+                            + reduced.linear
+                            + 2.0 * reduced.quadratic * speed;
+                        let grows = by_rate / (reduced.inertia * speed);
+                        let slow = first / speed;
+                        Some([
+                            sense * torques.torque() / energy,
+                            grows * by_energy,
+                            grows * by_torque + by_drive * sense / unit,
+                            slow,
+                            -slow * by_energy / (2.0 * part),
+                            -slow * by_torque / (2.0 * part),
+                        ])
+                    });
+                    slopes.unwrap_or([f64::NAN; 6])
+                },
+                |[_, off]| off.into_iter().map(f64::abs).fold(0.0, f64::max) / (ERROR * part),
+            )
+        };
+        let mut advance = trial(system, most)?;
+        // With friction a step ends where a contact changes.
+        if system.has_friction() {
+            let margin = |system: &mut System, advance: &Advance<6>| {
+                let input = from + sense * advance.length;
+                let reduced = system.reduced(input)?;
+                let rate = sense * speed((part + advance.gained[0]) * energy, reduced.inertia);
+                let torques = system.torques_in(reduced, [input, rate], false)?;
+                Some(torques.margin())
+            };
+            let end = margin(system, &advance)?;
+            if end < 0.0 {
+                let ends = [[0.0, -end], [advance.length, end]];
+                let length = root(ends, |length| {
+                    let advance = trial(system, length)?;
+                    margin(system, &advance)
+                })?;
+                // A contact that is lost from the start is kept for a step.
+                if length > least {
+                    advance = trial(system, length)?;
+                }
+            }
+        }
         for (value, gained) in self.state.iter_mut().zip(advance.gained) {
             *value += gained;
         }

@@ -81,6 +81,18 @@ impl Loading {
             })
     }
 
+    /// Inertia forces in a pose at a unit acceleration of the input from rest.
+    pub(super) fn unit_acceleration(&self, state: &State<3>) -> impl Iterator<Item = Applied> {
+        self.moving_masses(state)
+            .map(|(body, mass, centre, [turn, _])| Applied {
+                body,
+                at: centre[0],
+                force: centre[1] * -mass.mass,
+                couple: -mass.inertia * turn,
+                source: Source::Inertia,
+            })
+    }
+
     /// Adds the forces in a pose to a list, without friction. The input has a rate and an acceleration with respect to time.
     pub(super) fn apply(
         &self,

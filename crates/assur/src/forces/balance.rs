@@ -11,11 +11,14 @@ use crate::tolerance;
 const INTERVALS: usize = 360;
 /// Most intervals of a cycle of many turns.
 const MOST: usize = 7200;
+/// Most passes in which the rate and the friction at it are found in turn.
+const PASSES: usize = 30;
 /// Ratio of neighbouring rates among which the steady one is looked for, and the number of them in either direction.
 const RATIO: f64 = 1.1;
 const RATES: i32 = 150;
 
-/// Work over the intervals of a cycle at a constant rate ω: w₀ + w₁ω + w₂ω|ω|, without that of the drive.
+/// Work over the intervals of a cycle at a constant rate ω: w₀ + w₁ω + w₂ω|ω|, without that of the drive. The work of
+/// friction, which depends on the rate by the inertia forces in the reactions, is that near a given rate.
 #[derive(Clone, Debug)]
 pub(super) struct Balance {
     /// Length of an interval. The first begins at the input 0.
@@ -43,9 +46,17 @@ pub(super) fn balanced(
 ) -> Result<(System, Balance, Steady), NoCycle> {
     let system = System::new(motion, loading, motor.unwrap_or(&Motor::NONE));
     let mut system = system.map_err(NoCycle::Run)?;
-    let balance = Balance::new(&mut system)?;
-    let steady = balance.steady(motor, rate)?;
-    Ok((system, balance, steady))
+    let mut guess = rate;
+    for _ in 0..PASSES {
+        let balance = Balance::new(&mut system, guess)?;
+        let steady = balance.steady(motor, rate)?;
+        let change = (steady.rate - guess).abs();
+        if !system.has_friction() || change <= tolerance::COINCIDENT * steady.rate.abs() {
+            return Ok((system, balance, steady));
+        }
+        guess = steady.rate;
+    }
+    Err(NoCycle::Unbalanced)
 }
 
 /// Work over a part of the input from its coefficients.
@@ -64,14 +75,14 @@ pub(super) fn period(motion: &Motion) -> Result<f64, NoCycle> {
 }
 
 impl Balance {
-    pub(super) fn new(system: &mut System) -> Result<Self, NoCycle> {
+    fn new(system: &mut System, rate: f64) -> Result<Self, NoCycle> {
         let period = period(&system.motion)?;
         let turns = (period / std::f64::consts::TAU).round() as usize;
         let count = (INTERVALS * turns.max(1)).min(MOST);
         let step = period / count as f64;
-        let works = (0..count).map(|k| interval(system, [k as f64 * step, step]));
+        let works = (0..count).map(|k| interval(system, [k as f64 * step, step], rate));
         let works: Option<Vec<_>> = works.collect();
-        let works = works.ok_or(NoCycle::NotFound)?;
+        let works = works.ok_or_else(|| system.no_cycle())?;
         Ok(Self { step, works })
     }
 
@@ -142,11 +153,16 @@ impl Balance {
     }
 }
 
-/// Coefficients of the work over an interval, by Gauss's quadrature; None if an input has no pose.
-pub(super) fn interval(system: &mut System, [from, length]: [f64; 2]) -> Option<[f64; 3]> {
+/// Coefficients of the work over an interval, by Gauss's quadrature, with friction at a rate; None if an input has no pose
+/// or the friction is not found.
+pub(super) fn interval(
+    system: &mut System,
+    [from, length]: [f64; 2],
+    rate: f64,
+) -> Option<[f64; 3]> {
     let mut sum = [0.0; 3];
     for (c, b) in C.into_iter().zip(B) {
-        let reduced = system.reduced_or_massless(from + c * length)?;
+        let reduced = system.at_rate(from + c * length, rate)?;
         let torques = [
             reduced.conservative + reduced.load,
             reduced.linear,

@@ -1,7 +1,5 @@
 //! The steady cycle: the motion under load that repeats with the cycle of the linkage.
 
-use std::cell::RefCell;
-
 use super::along::{Along, Reached};
 use super::balance::{balanced, period};
 use super::system::System;
@@ -61,6 +59,8 @@ pub enum NoCycle {
     Unbalanced,
     /// From the rate at which the works balance the linkage stops, or its energy does not settle.
     NotFound,
+    /// In a pose of the cycle the linkage locks itself by friction.
+    Locked,
 }
 
 impl SteadyCycle {
@@ -104,9 +104,12 @@ impl SteadyCycle {
         let is_last = |change: f64, last: f64| {
             is_exact(change, last) || (change <= tolerance::COINCIDENT && change >= SETTLED * last)
         };
-        newton(MAX_STEPS_FROM_DRAWING, step, is_last).map_err(|_| NoCycle::NotFound)?;
-        let found = over(&mut system, [start, period], energy).ok_or(NoCycle::NotFound)?;
-        let rates = extremes(&mut system, [start, period], energy).ok_or(NoCycle::NotFound)?;
+        let settled = newton(MAX_STEPS_FROM_DRAWING, step, is_last);
+        settled.map_err(|_| system.no_cycle())?;
+        let found = over(&mut system, [start, period], energy);
+        let found = found.ok_or_else(|| system.no_cycle())?;
+        let rates = extremes(&mut system, [start, period], energy);
+        let rates = rates.ok_or_else(|| system.no_cycle())?;
         Ok(Self {
             system,
             start,
@@ -194,10 +197,8 @@ fn extremes(system: &mut System, [start, way]: [f64; 2], energy: f64) -> Option<
         acceleration = now;
         // The rate is extreme where its acceleration vanishes.
         if was * now < 0.0 {
-            let shared = RefCell::new(&mut *system);
-            let at = |length: f64| {
+            let mut at = |length: f64| {
                 let mut part = before;
-                let system = &mut **shared.borrow_mut();
                 part.go(system, length)?;
                 part.rates(system)
             };

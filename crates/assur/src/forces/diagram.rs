@@ -115,7 +115,7 @@ impl Diagram {
         let ends = [sample.input - step, sample.input + step];
         let system = &mut self.system;
         let mut rises = |input: f64| {
-            system.reduced_or_massless(input).is_some_and(|reduced| {
+            system.at_rate(input, rate).is_some_and(|reduced| {
                 let slope_of_energy = reduced.torque(rate) + torque;
                 sense * (slope_of_energy - slope * reduced.inertia_slope) > 0.0
             })
@@ -134,7 +134,7 @@ impl Diagram {
         } else {
             sample.input
         };
-        let works = interval(system, [from, found - from]);
+        let works = interval(system, [from, found - from], rate);
         let reduced = system.reduced_or_massless(found);
         works
             .zip(reduced)

@@ -186,12 +186,7 @@ impl Kinetostatics {
         let state = pose.state();
         found.applied.clear();
         loading.apply(state, input, motion, &mut found.applied);
-        let placed = self
-            .components
-            .iter()
-            .map(|component| component.placed(state));
-        found.placed.clear();
-        found.placed.extend(placed);
+        found.place(self, state);
         found.friction.clear();
         found.bare.clear();
         self.solve(state, found)?;

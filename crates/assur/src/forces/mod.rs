@@ -19,7 +19,8 @@
 //! | `equilibrium` | the equations of a body in senses of a student's choice, and the judgement of answers |
 //! | `plan` | force plans, group by group, as constructed by hand |
 //! | `lever` | Zhukovsky's lever: the turned plan of velocities with the forces on it |
-//! | `friction` | dry friction in hinges and slides, efficiency, self-locking; the motion under load leaves it out |
+//! | `friction`, `coulomb` | dry friction in hinges and slides, efficiency, self-locking; Coulomb's law for all pairs together |
+//! | `moving_friction` | friction where the drive is given and the acceleration is not |
 //! | `shaking` | shaking force and moment, counterweights of a four-bar |
 //! | `reduced` | moment of inertia and torque reduced to the input; energies |
 //! | `motor` | the torque of a motor by its speed |
@@ -34,6 +35,7 @@ mod along;
 mod applied;
 mod balance;
 mod block;
+mod coulomb;
 mod cycle;
 mod defect;
 mod diagram;
@@ -47,6 +49,7 @@ mod lever;
 mod loading;
 mod masses;
 mod motor;
+mod moving_friction;
 mod names;
 mod pair;
 mod plan;

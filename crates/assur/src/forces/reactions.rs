@@ -1,11 +1,12 @@
 //! Reactions of the pairs of a mechanism in a pose, and the torques and forces of its drives.
 
-use super::Rubbing;
 use super::applied::Applied;
 use super::block::{Matrix, Total};
 use super::pair::{Component, DriverId, Pair, PairId, Placed, Wrench};
+use super::{Kinetostatics, Rubbing};
 use crate::index::{BodyId, List};
 use crate::mechanism::Mechanism;
+use crate::position::State;
 use crate::{Point, Vector};
 
 /// Reactions of a mechanism in a pose, found by [`super::Kinetostatics::reactions`].
@@ -98,6 +99,14 @@ impl Reactions {
     /// Component of the first drive.
     pub(super) fn first_component(&self) -> Option<f64> {
         self.components.get(self.held).copied().flatten()
+    }
+
+    /// Places the components of pairs and drives in a pose.
+    pub(super) fn place(&mut self, forces: &Kinetostatics, state: &State<3>) {
+        let components = forces.components.iter();
+        self.placed.clear();
+        self.placed
+            .extend(components.map(|component| component.placed(state)));
     }
 
     pub(super) fn fill(

@@ -1,11 +1,12 @@
 //! Motion under load: the input over time, with an account of the energy.
 
 use super::system::System;
-use super::{Defect, Loading, Motor};
+use super::{Defect, Loading, Motor, Unbalanced};
 use crate::angle::sum;
 use crate::mechanism::Unsolved;
 use crate::motion::{DeadPoint, Motion};
-use crate::numeric::gauss::Adaptive;
+use crate::numeric::gauss::{Adaptive, Advance};
+use crate::numeric::roots::root;
 use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to a radian of the input.
@@ -24,7 +25,8 @@ const TRIALS: usize = 6;
 /// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
 const SHORTEST: f64 = 1e-12;
 
-/// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`super::Reduced`].
+/// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`super::Reduced`]. The torque
+/// of dry friction depends on the reactions, and so on the acceleration; both are found together.
 ///
 /// The input is integrated by Gauss collocation with extrapolation. Works are integrated along, so their sum with the
 /// energies shows the error.
@@ -48,7 +50,7 @@ struct State {
     rate: f64,
     /// Rounding error of the rate.
     rest: f64,
-    /// Work of the motor and the given loads, and the energy lost in resistances and dampers.
+    /// Work of the motor and the given loads, and the energy lost in resistances, dampers and friction.
     work: f64,
     lost: f64,
 }
@@ -70,7 +72,7 @@ pub struct Reading {
     pub potential: f64,
     /// Work of the motor and of the given forces and torques since the start.
     pub work: f64,
-    /// Energy lost in resistances and dampers since the start.
+    /// Energy lost in resistances, dampers and friction since the start.
     pub lost: f64,
 }
 
@@ -101,6 +103,11 @@ pub enum Halt {
         /// The end; None if the motion has none near, but steps become too short.
         end: Option<DeadPoint>,
     },
+    /// The linkage locks itself by friction: no acceleration satisfies the law of friction.
+    Locked {
+        /// Time at which it locks.
+        time: f64,
+    },
 }
 
 impl Run {
@@ -120,7 +127,7 @@ impl Run {
         }
         system.place(input).map_err(NoRun::Start)?;
         let reduced = system.reduced(input).ok_or(NoRun::NoInertia)?;
-        let acceleration = system.acceleration(&reduced, rate);
+        let acceleration = system.acceleration(input, rate);
         // A first guess: the time in which the input moves by a hundredth of its unit.
         let speed = rate.abs() / system.unit + (acceleration.abs() / system.unit).sqrt();
         let length = if speed > 0.0 { 0.01 / speed } else { 0.01 };
@@ -164,17 +171,14 @@ impl Run {
             lost,
             ..
         } = self.state;
+        let acceleration = self.system.acceleration(input, rate);
         // Steps are taken only between inputs that have a pose.
         let reduced = self.system.reduced(input).unwrap_or_default();
         Reading {
             time,
             input,
             rate,
-            acceleration: if reduced.inertia > 0.0 {
-                self.system.acceleration(&reduced, rate)
-            } else {
-                0.0
-            },
+            acceleration,
             kinetic: reduced.kinetic(rate),
             potential: reduced.potential,
             work,
@@ -227,6 +231,9 @@ impl Run {
         let State { time, rate, .. } = self.state;
         let near = self.nearest_end();
         let near = near.filter(|(_, ahead)| *ahead <= tolerance::NEAR * self.system.unit);
+        if near.is_none() && self.system.unbalanced == Some(Unbalanced::Locked) {
+            return Halt::Locked { time };
+        }
         let left = near.map_or(0.0, |(end, ahead)| {
             let times = if end.kind.is_dead_point() { 2.0 } else { 1.0 };
             times * ahead.max(0.0) / rate.abs().max(f64::MIN_POSITIVE)
@@ -237,6 +244,7 @@ impl Run {
         }
     }
 
+    /// Makes a step of at most a given length; None if none can be made.
     fn step(&mut self, most: f64) -> Option<()> {
         let Self {
             system,
@@ -244,36 +252,36 @@ impl Run {
             steps,
             ..
         } = self;
+        system.unbalanced = None;
         let unit = system.unit;
         let (input, rest) = state.input;
-        let here = system.reduced(input)?;
-        let pull = system.acceleration(&here, state.rate);
-        let acceleration = pull.abs();
-        // Rate at which the input moves by its unit, also from rest.
-        let scale = state.rate.abs() + (acceleration * unit).sqrt();
-        let (least, momentum) = if scale > 0.0 {
-            (SHORTEST * unit / scale, here.inertia * scale)
-        } else {
-            (0.0, here.inertia)
+        let Some(sense) = system.sense(input, state.rate) else {
+            // The linkage stays at rest.
+            state.time += most;
+            return Some(());
         };
-        let sense = if state.rate == 0.0 { pull } else { state.rate }.signum();
-        let way = system.way_to_knot(input, sense);
+        system.face([input, state.rate], sense);
+        let here = system.torques([input, state.rate])?;
+        // Rate at which the input moves by its unit, also from rest.
+        let scale = state.rate.abs() + (here.acceleration().abs() * unit).sqrt();
+        let (least, momentum) = if scale > 0.0 {
+            (SHORTEST * unit / scale, here.reduced.inertia * scale)
+        } else {
+            (0.0, here.reduced.inertia)
+        };
+        let to_knot = system.way_to_knot(input, sense);
         let before = *steps;
         // Powers are divided by a momentum, so that they are of the size of the acceleration.
-        let mut trial = |most: f64| {
+        let mut trial = |system: &mut System, most: f64| {
             *steps = before;
             steps.step(
                 [most, least.min(most)],
                 &[state.rate, 0.0, 0.0],
                 |moment| {
-                    let rate = moment.rates[0];
-                    let reduced = system.reduced(input + (rest + moment.moved[0]));
-                    reduced.map_or([f64::NAN; 3], |reduced| {
-                        let motor = system.motor.torque(rate)[0];
-                        let work = (motor + reduced.load) * rate;
-                        let lost = -reduced.resistance(rate) * rate;
-                        let acceleration = system.acceleration(&reduced, rate);
-                        [acceleration, work / momentum, lost / momentum]
+                    let at = [input + (rest + moment.moved[0]), moment.rates[0]];
+                    system.torques(at).map_or([f64::NAN; 3], |torques| {
+                        let [work, lost] = torques.powers();
+                        [torques.acceleration(), work / momentum, lost / momentum]
                     })
                 },
                 |[moved, gained]| {
@@ -286,18 +294,41 @@ impl Run {
                 },
             )
         };
+        let mut advance = trial(system, most)?;
         // A step beyond a knot would not see it if no stage is behind it: it ends at the knot.
-        let mut advance = trial(most)?;
         for _ in 0..TRIALS {
             let moved = advance.moved[0].abs();
-            if moved <= way + tolerance::NEGLIGIBLE * unit {
+            if moved <= to_knot + tolerance::NEGLIGIBLE * unit {
                 break;
             }
-            advance = trial(advance.length * way / moved)?;
+            advance = trial(system, advance.length * to_knot / moved)?;
+        }
+        // With friction a step ends where a contact changes, and where the linkage stops.
+        if system.has_friction() {
+            let margin = |system: &mut System, advance: &Advance<3>| {
+                let rate = state.rate + advance.gained[0];
+                let torques = system.torques([input + (rest + advance.moved[0]), rate])?;
+                Some(torques.margin().min(rate * sense / scale))
+            };
+            let end = margin(system, &advance)?;
+            if end < 0.0 {
+                let ends = [[0.0, -end], [advance.length, end]];
+                let length = root(ends, |length| {
+                    let advance = trial(system, length)?;
+                    margin(system, &advance)
+                })?;
+                // A contact that is lost from the start is kept for a step.
+                if length > least {
+                    advance = trial(system, length)?;
+                }
+            }
         }
         let [rate, work, lost] = advance.gained;
         state.input = sum(input, rest + advance.moved[0]);
         state.rate = add(&mut state.rest, state.rate, rate);
+        if system.has_friction() && state.rate * sense <= tolerance::NEGLIGIBLE * scale {
+            (state.rate, state.rest) = (0.0, 0.0);
+        }
         state.work += momentum * work;
         state.lost += momentum * lost;
         state.time += advance.length;

@@ -4,10 +4,15 @@ use std::f64::consts::TAU;
 
 use super::applied::relative;
 use super::loading::Spring;
-use super::{Loading, Motor, NoRun, Reduced};
+use super::moving_friction::{Driven, FrictionTorque, MovingFriction};
+use super::{Loading, Motor, NoCycle, NoRun, Reduced, Unbalanced};
 use crate::mechanism::{Pose, Unsolved};
 use crate::motion::Motion;
 use crate::tolerance;
+
+/// Distance ahead at which a step takes the contacts of pairs with friction, in units of the input. It is longer than
+/// that within which a pair counts as at rest, and short enough for a contact that changes within it to be no error.
+const AHEAD: f64 = tolerance::TRIPLE_ROOT;
 
 /// A linkage under load with one freedom.
 #[derive(Clone, Debug)]
@@ -22,6 +27,45 @@ pub(super) struct System {
     pub(super) unit: f64,
     /// Knots of the tables of loads.
     knots: Vec<f64>,
+    pub(super) friction: Option<MovingFriction>,
+    /// Sense of the motion in the current step.
+    sense: f64,
+    /// Why the last pose that had no torques had none, if reactions are at fault.
+    pub(super) unbalanced: Option<Unbalanced>,
+}
+
+/// Torques on the input in a pose at a rate.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Torques {
+    pub(super) reduced: Reduced,
+    /// Torque of the motor, and its derivative by the rate.
+    pub(super) motor: [f64; 2],
+    pub(super) friction: FrictionTorque,
+    pub(super) rate: f64,
+}
+
+impl Torques {
+    /// Torque of all forces but inertia.
+    pub(super) fn torque(&self) -> f64 {
+        self.reduced.torque(self.rate) + self.motor[0] + self.friction.torque
+    }
+
+    pub(super) fn acceleration(&self) -> f64 {
+        let centrifugal = 0.5 * self.reduced.inertia_slope * self.rate * self.rate;
+        (self.torque() - centrifugal) / self.reduced.inertia
+    }
+
+    /// Distance of the pairs with friction from a change of a contact, and a little more than rounding; negative beyond it.
+    pub(super) fn margin(&self) -> f64 {
+        self.friction.margin + tolerance::NEGLIGIBLE
+    }
+
+    /// Power of the motor and of the given forces, and that lost in resistances, dampers and friction.
+    pub(super) fn powers(&self) -> [f64; 2] {
+        let resistance = self.reduced.resistance(self.rate) + self.friction.torque;
+        let given = self.motor[0] + self.reduced.load;
+        [given * self.rate, -resistance * self.rate]
+    }
 }
 
 impl System {
@@ -39,6 +83,9 @@ impl System {
             pose: mechanism.blank(),
             unit: mechanism.span() / TAU,
             knots: loading.knots().collect(),
+            friction: MovingFriction::new(mechanism, loading),
+            sense: 1.0,
+            unbalanced: None,
         };
         match system.wound() {
             Some(index) => Err(NoRun::Wound(index)),
@@ -77,6 +124,120 @@ impl System {
         Some(self.loading.reduced_in(state, input, self.height))
     }
 
+    /// Torques at an input and a rate; None where there is no pose, nothing with a mass moves with the input, or the
+    /// friction is not found.
+    pub(super) fn torques(&mut self, [input, rate]: [f64; 2]) -> Option<Torques> {
+        let reduced = self.reduced(input)?;
+        self.torques_in(reduced, [input, rate], false)
+    }
+
+    /// The same in the pose placed last, whose reduced quantities are given; with the derivatives of the friction, or
+    /// without.
+    pub(super) fn torques_in(
+        &mut self,
+        reduced: Reduced,
+        [input, rate]: [f64; 2],
+        slopes: bool,
+    ) -> Option<Torques> {
+        let motor = self.motor.torque(rate);
+        let mut friction = FrictionTorque::NONE;
+        if let Some(moving) = &mut self.friction {
+            let (sense, drive) = (self.sense, motor[0]);
+            let at = Driven {
+                input,
+                rate,
+                sense,
+                drive,
+            };
+            let found = moving.torque(&self.loading, self.pose.state(), at, slopes);
+            self.unbalanced = found.err();
+            friction = found.ok()?;
+        }
+        Some(Torques {
+            reduced,
+            motor,
+            friction,
+            rate,
+        })
+    }
+
+    /// Reduced quantities at an input, with the friction at a constant rate among the loads, also if the reduced inertia
+    /// is zero; None where there is no pose, or the friction is not found. Inertia forces, and so a part of the friction,
+    /// have the square of the rate: the friction is exact at the rate and at half of it.
+    pub(super) fn at_rate(&mut self, input: f64, rate: f64) -> Option<Reduced> {
+        let mut reduced = self.reduced_or_massless(input)?;
+        if let Some(moving) = &mut self.friction {
+            let mut torque = |rate: f64| {
+                let found = moving.at_rate(&self.loading, &self.pose, [input, rate]);
+                self.unbalanced = found.err();
+                found.ok()
+            };
+            let (whole, half) = (torque(rate)?, torque(0.5 * rate)?);
+            let by_square = (whole - half) / 0.75;
+            reduced.load += whole - by_square;
+            reduced.quadratic += if rate == 0.0 {
+                0.0
+            } else {
+                by_square / (rate * rate.abs())
+            };
+        }
+        Some(reduced)
+    }
+
+    /// Begins a step from an input at a rate in a sense: pairs with friction slide and bear as they do just ahead.
+    pub(super) fn face(&mut self, [input, rate]: [f64; 2], sense: f64) {
+        self.sense = sense;
+        let ahead = input + sense * AHEAD * self.unit;
+        let is_placed =
+            self.has_friction() && (self.place(ahead).is_ok() || self.place(input).is_ok());
+        if let Some(moving) = self.friction.as_mut().filter(|_| is_placed) {
+            let drive = self.motor.torque(rate)[0];
+            let at = Driven {
+                input,
+                rate,
+                sense,
+                drive,
+            };
+            moving.face(&self.loading, self.pose.state(), at);
+        }
+    }
+
+    /// Acceleration of the input; zero where friction holds the linkage, or nothing is found.
+    pub(super) fn acceleration(&mut self, input: f64, rate: f64) -> f64 {
+        let Some(sense) = self.sense(input, rate) else {
+            return 0.0;
+        };
+        self.face([input, rate], sense);
+        let torques = self.torques([input, rate]);
+        torques.map_or(0.0, |torques| torques.acceleration())
+    }
+
+    /// Sense of the motion, also from rest; None if friction holds the linkage at rest.
+    pub(super) fn sense(&mut self, input: f64, rate: f64) -> Option<f64> {
+        if rate != 0.0 {
+            return Some(rate.signum());
+        }
+        let mut starts = |sense: f64| {
+            self.face([input, 0.0], sense);
+            let torques = self.torques([input, 0.0]);
+            torques.is_some_and(|torques| torques.acceleration() * sense > 0.0)
+        };
+        let moves = [1.0, -1.0].into_iter().find(|sense| starts(*sense));
+        moves.or((!self.has_friction()).then_some(1.0))
+    }
+
+    /// The reason why a cycle is not found, from the last pose that had no torques.
+    pub(super) fn no_cycle(&self) -> NoCycle {
+        match self.unbalanced {
+            Some(Unbalanced::Locked) => NoCycle::Locked,
+            _ => NoCycle::NotFound,
+        }
+    }
+
+    pub(super) fn has_friction(&self) -> bool {
+        self.friction.is_some()
+    }
+
     /// Way from an input in a sense to the next knot of a table. A step beyond it would not see the knot if no
     /// stage is behind it.
     pub(super) fn way_to_knot(&self, input: f64, sense: f64) -> f64 {
@@ -102,10 +263,5 @@ impl System {
 
     pub(super) fn place(&mut self, input: f64) -> Result<(), Unsolved> {
         self.motion.place(input, &mut self.pose)
-    }
-
-    pub(super) fn acceleration(&self, reduced: &Reduced, rate: f64) -> f64 {
-        let torque = reduced.torque(rate) + self.motor.torque(rate)[0];
-        (torque - 0.5 * reduced.inertia_slope * rate * rate) / reduced.inertia
     }
 }

@@ -6,7 +6,10 @@ const MAX_STEPS: usize = 120;
 /// Finds the root of a continuous function to full precision, in a bracket of points `[x, f(x)]` with values of
 /// opposite signs. A step is inverse quadratic interpolation if that is safe, and otherwise bisection (Chandrupatla,
 /// Advances in Engineering Software 28, 1997). None if the function has no value at a point tried.
-pub(crate) fn root([mut b, mut a]: [[f64; 2]; 2], f: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+pub(crate) fn root(
+    [mut b, mut a]: [[f64; 2]; 2],
+    mut f: impl FnMut(f64) -> Option<f64>,
+) -> Option<f64> {
     let mut part = 0.5;
     for _ in 0..MAX_STEPS {
         let x = a[0] + part * (b[0] - a[0]);
