@@ -159,7 +159,7 @@ export class UnderLoad {
       : end === "ended" && at
         ? words.text("under_load.end.dead", { t, why: words.text(`dead.${at.kind}`), links })
         : end
-          ? words.text({ ended: "under_load.end.stopped", rests: "under_load.end.rests", over: "under_load.end.over" }[end], { t })
+          ? words.text({ ended: "under_load.end.stopped", locked: "under_load.end.locked", rests: "under_load.end.rests", over: "under_load.end.over" }[end], { t })
           : exists
             ? words.text(state.view.playing ? "under_load.runs" : "under_load.paused", { t })
             : "";

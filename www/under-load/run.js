@@ -19,7 +19,7 @@ export class LoadRun {
   #document = null;
   /** @type {number[]} all readings, one after another */
   readings = [];
-  /** @type {"ended" | "rests" | "over" | null} why the run has ended */
+  /** @type {"ended" | "locked" | "rests" | "over" | null} why the run has ended */
   end = null;
   /** @type {Part["at"]} dead point at which the run has ended */
   at = null;
@@ -127,7 +127,7 @@ export class LoadRun {
       return;
     }
     for (const number of value.readings) this.readings.push(number);
-    if (value.ends) this.end = "ended";
+    if (value.ends) this.end = value.locks ? "locked" : "ended";
     else if (value.rests) this.end = "rests";
     this.at = value.at;
   }

@@ -294,16 +294,18 @@ pub(crate) fn run(out: &mut impl Write, asked: &RunAsked) -> Result<(), Failure>
             .into_iter()
             .chain(energies);
         csv.line(out, values.map(Cell::Number))?;
-        if let Some(Halt::End { end, .. }) = ended {
-            let links: Vec<&str> = end.iter().flat_map(|end| motion.links_at(end)).collect();
+        if let Some(halt) = ended {
             let input = source::at(mechanism.turns(), now.input);
+            let said = match halt {
+                Halt::End { end, .. } => {
+                    let links = end.iter().flat_map(|end| motion.links_at(end));
+                    let links: Vec<&str> = links.collect();
+                    format!("the motion ends at {input}: {}", links.join(", "))
+                }
+                Halt::Locked { .. } => format!("the linkage locks itself by friction at {input}"),
+            };
             // A failure to write to standard error cannot be reported.
-            let _ = writeln!(
-                std::io::stderr(),
-                "{}: the motion ends at {input}: {}",
-                asked.name,
-                links.join(", ")
-            );
+            let _ = writeln!(std::io::stderr(), "{}: {said}", asked.name);
             break;
         }
     }

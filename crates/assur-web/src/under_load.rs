@@ -23,12 +23,14 @@ pub(crate) struct UnderLoad {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RunHere<'a> {
     /// Readings, each of eight numbers: time, input, rate, acceleration; in joules the kinetic and potential energy, the
-    /// work of the motor and of the given forces, and the energy lost.
+    /// work of the motor and of the given forces, and the energy lost in resistances, dampers and friction.
     readings: Vec<f64>,
     /// Whether nothing moves any more.
     rests: bool,
     /// Whether the motion ends at the last reading.
     ends: bool,
+    /// Whether it ends because the linkage locks itself by friction.
+    locks: bool,
     /// The end, if it is one of the motion of the linkage.
     at: Option<DeadPointSummary<'a>>,
 }
@@ -176,7 +178,7 @@ impl UnderLoad {
     pub(crate) fn advance(&mut self, time: f64, count: u32) -> RunHere<'_> {
         let start = self.run.reading().time;
         let mut readings = Vec::new();
-        let mut end = None;
+        let mut halt = None;
         for k in 1..=count {
             let part = f64::from(k) / f64::from(count);
             let to = if k == count {
@@ -184,14 +186,13 @@ impl UnderLoad {
             } else {
                 start + part * (time - start)
             };
-            let ended = self.run.advance(to).err();
+            halt = self.run.advance(to).err();
             let energy = self.units.torque();
             let now = self.run.reading();
             let energies = [now.kinetic, now.potential, now.work, now.lost];
             readings.extend([now.time, now.input, now.rate, now.acceleration]);
             readings.extend(energies.map(|part| part * energy));
-            if let Some(Halt::End { end: at, .. }) = ended {
-                end = Some(at);
+            if halt.is_some() {
                 break;
             }
         }
@@ -200,8 +201,12 @@ impl UnderLoad {
         RunHere {
             readings,
             rests,
-            ends: end.is_some(),
-            at: end.flatten().map(|at| DeadPointSummary::new(motion, &at)),
+            ends: halt.is_some(),
+            locks: matches!(halt, Some(Halt::Locked { .. })),
+            at: match halt {
+                Some(Halt::End { end: Some(at), .. }) => Some(DeadPointSummary::new(motion, &at)),
+                _ => None,
+            },
         }
     }
 }

@@ -342,6 +342,7 @@ impl LinkageProblem {
             NoCycle::TooManyTurns(turns) => (*turns).into(),
             NoCycle::Unbalanced => Self::CycleUnbalanced,
             NoCycle::NotFound => Self::CycleNotFound,
+            NoCycle::Locked => Self::CycleLocked,
         }
     }
 }
