@@ -135,6 +135,14 @@ impl Descent {
                 }
             }
         }
+        let both = fitted.distances.iter().skip(target.compared.len());
+        for ((tau, place), distance) in fitted.both.iter().zip(both) {
+            let (by, _) = fitted.derivatives(*tau, timed);
+            let normal = (fitted.point(*tau) - place) / distance.max(f64::MIN_POSITIVE);
+            let share = distance / self.unit;
+            let weight = half * share.powf(half - 1.0) / self.unit;
+            add(&by.map(|by| weight * dot(by, normal)), share.powf(half));
+        }
         for (k, row) in matrix.iter_mut().enumerate() {
             // An unknown that changes no residual stays constant.
             if row[k] <= f64::MIN_POSITIVE {
@@ -160,7 +168,41 @@ mod tests {
     use crate::synthesis::approximation::Course;
     use crate::synthesis::approximation::compare::{Candidate, Match, Part};
     use crate::synthesis::approximation::curve::{Curve, Kind};
+    use crate::synthesis::approximation::distance::Deviation;
     use crate::synthesis::approximation::fitted::tests::start;
+
+    /// A path with noise: its corners are the places that are farthest from the curve. The last descents compare them, and
+    /// the curve with the path, as the deviation does.
+    #[test]
+    fn both_ways_the_distances_are_those_of_the_deviation() {
+        let wanted = start(Kind::FourBar, [1.1, 0.9, 1.3], true);
+        let noise = |k: u32| 0.02 * (f64::from(k * k * 7 % 11) - 5.0) / 5.0;
+        let points: Vec<Point> = (0..40)
+            .map(|k| wanted.point(f64::from(k) * std::f64::consts::TAU / 40.0) * (1.0 + noise(k)))
+            .map(|z| Point::new(z.re, z.im))
+            .collect();
+        let target = Target::new(&points, Course::Closed, None).unwrap();
+        let candidate = Candidate {
+            curve: wanted.curve,
+            mirrored: true,
+            part: Part::Whole,
+        };
+        let found = Match {
+            defect: 0.0,
+            shift: 0.0,
+            reversed: false,
+        };
+        let mut fitted = Fitted::new(&candidate, &found, &target).unwrap();
+        for (both, equal) in [(false, false), (true, true)] {
+            if both {
+                fitted = fitted.both_ways(&target);
+            }
+            fitted = Descent::new(fitted, 8, 1e-6).run(&target, 60);
+            let deviation = Deviation::of(&fitted, &target).greatest;
+            let ratio = fitted.greatest() / deviation;
+            assert_eq!((ratio - 1.0).abs() < 0.02, equal, "{ratio}");
+        }
+    }
 
     /// A descent that starts from dimensions with an error of 5 % ends at the exact dimensions.
     #[test]

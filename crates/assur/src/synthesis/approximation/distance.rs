@@ -60,12 +60,8 @@ impl Deviation {
         target: &Target,
     ) -> Self {
         if target.course() != Course::Points {
-            let path: Vec<Segment> = target.segments().map(Segment::new).collect();
-            let to_path = |place: &Complex<f64>| {
-                let squares = path.iter().map(|side| side.square(*place));
-                squares.fold(f64::INFINITY, f64::min).sqrt()
-            };
-            distances.extend(curve.iter().map(to_path));
+            let path = Path::new(target);
+            distances.extend(curve.iter().map(|place| path.distance(*place)));
         }
         Self::from_distances(&distances)
     }
@@ -84,6 +80,33 @@ impl Deviation {
             greatest: self.greatest * unit,
             root_mean_square: self.root_mean_square * unit,
         }
+    }
+}
+
+/// The segments of a path, prepared for many distances.
+pub(super) struct Path(Vec<Segment>);
+
+impl Path {
+    pub(super) fn new(target: &Target) -> Self {
+        Self(target.segments().map(Segment::new).collect())
+    }
+
+    fn distance(&self, place: Complex<f64>) -> f64 {
+        let squares = self.0.iter().map(|side| side.square(place));
+        squares.fold(f64::INFINITY, f64::min).sqrt()
+    }
+
+    /// The place of the path that is nearest to a place.
+    pub(super) fn nearest(&self, place: Complex<f64>) -> Complex<f64> {
+        let (mut nearest, mut least) = (place, f64::INFINITY);
+        for side in &self.0 {
+            let on = side.nearest(place);
+            let square = (on - place).norm_sqr();
+            if square < least {
+                (nearest, least) = (on, square);
+            }
+        }
+        nearest
     }
 }
 
@@ -109,9 +132,13 @@ impl Segment {
 
     /// Square of the distance of a place from the segment.
     fn square(&self, place: Complex<f64>) -> f64 {
-        let arm = place - self.from;
-        let share = (dot(arm, self.side) * self.inverse).clamp(0.0, 1.0);
-        (arm - self.side * share).norm_sqr()
+        (place - self.nearest(place)).norm_sqr()
+    }
+
+    /// The place of the segment that is nearest to a place.
+    fn nearest(&self, place: Complex<f64>) -> Complex<f64> {
+        let share = dot(place - self.from, self.side) * self.inverse;
+        self.from + self.side * share.clamp(0.0, 1.0)
     }
 }
 

@@ -4,8 +4,8 @@ use nalgebra::Complex;
 
 use super::compare::{Candidate, Match, Part};
 use super::curve::{Curve, Kind, dot, times_i};
-use super::distance::Deviation;
-use super::target::Target;
+use super::distance::{Deviation, Path, part};
+use super::target::{Course, Target};
 use crate::numeric::max_abs;
 use crate::tolerance;
 
@@ -23,6 +23,9 @@ const FOOT_STEP: f64 = 0.2;
 const MORE_STEPS: usize = 8;
 const CONTRACTION: f64 = 0.3;
 
+/// Number of places of the traced curve that a descent compares with the path.
+const PLACES: usize = 48;
+
 /// A linkage in the plane of the path, with its feet.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
@@ -34,8 +37,13 @@ pub(super) struct Fitted {
     pub(super) feet: Vec<f64>,
     /// Sense in which the crank turns through the given angles, ±1; 0 if none are given.
     sense: f64,
-    /// Distances at the compared places.
+    /// Distances at the compared places, then those of [`Self::both`].
     pub(super) distances: Vec<f64>,
+    /// Pairs of places, as [`Deviation`] compares them both ways: τ of the traced curve, and the place of the path. First
+    /// those of the path's corners with their feet, then those of the curve with the nearest places of the path. Empty
+    /// until [`Self::both_ways`].
+    pub(super) both: Vec<(f64, Complex<f64>)>,
+    compares_both: bool,
 }
 
 impl Fitted {
@@ -73,6 +81,8 @@ impl Fitted {
             feet,
             sense,
             distances: Vec::new(),
+            both: Vec::new(),
+            compares_both: false,
         };
         let sound = x.iter().all(|x| x.is_finite()) && fitted.within_reach();
         sound.then(|| {
@@ -95,7 +105,17 @@ impl Fitted {
             feet,
             sense: 0.0,
             distances: Vec::new(),
+            both: Vec::new(),
+            compares_both: false,
         }
+    }
+
+    /// The same linkage with the distances of the path's corners from its curve, and of places of its curve from the path,
+    /// among its distances, if the path is a drawn curve without crank angles.
+    pub(super) fn both_ways(mut self, target: &Target) -> Self {
+        self.compares_both = target.course() != Course::Points && target.angles.is_none();
+        self.settle(target, 1);
+        self
     }
 
     fn within_reach(&self) -> bool {
@@ -185,15 +205,45 @@ impl Fitted {
             self.feet[k] = tau;
             distances.push(distance);
         }
+        let known = std::mem::take(&mut self.both);
+        if self.compares_both {
+            for (k, wanted) in target.corners().enumerate() {
+                let from = known.get(k).map(|(tau, _)| *tau);
+                let from = from.unwrap_or_else(|| self.nearest_foot(wanted));
+                let (tau, distance) = self.foot(wanted, from, steps);
+                self.both.push((tau, wanted));
+                distances.push(distance);
+            }
+            let (path, [from, to]) = (Path::new(target), part(self, target));
+            let step = (to - from) / PLACES as f64;
+            for k in 0..PLACES {
+                let tau = from + step * (k as f64 + 0.5);
+                let place = self.point(tau);
+                let nearest = path.nearest(place);
+                self.both.push((tau, nearest));
+                distances.push((place - nearest).norm());
+            }
+        }
         self.distances = distances;
     }
 
-    /// The deviation from the distances of the compared places and their feet.
+    /// The foot of the compared places that is nearest to a place.
+    fn nearest_foot(&self, wanted: Complex<f64>) -> f64 {
+        let square = |tau: &f64| (self.point(*tau) - wanted).norm_sqr();
+        let nearest = self
+            .feet
+            .iter()
+            .copied()
+            .min_by(|a, b| square(a).total_cmp(&square(b)));
+        nearest.unwrap_or(0.0)
+    }
+
+    /// The deviation from the distances that are compared.
     pub(super) fn at_feet(&self) -> Deviation {
         Deviation::from_distances(&self.distances)
     }
 
-    /// The greatest distance at the compared places.
+    /// The greatest distance that is compared.
     pub(super) fn greatest(&self) -> f64 {
         max_abs(self.distances.iter().copied())
     }
@@ -286,6 +336,8 @@ pub(super) mod tests {
             feet: Vec::new(),
             sense: 0.0,
             distances: Vec::new(),
+            both: Vec::new(),
+            compares_both: false,
         }
     }
 

@@ -85,8 +85,9 @@ struct Optimum {
     fitted: Fitted,
     candidate: Candidate,
     deviation: Deviation,
-    /// Root mean square of the distances at the feet after the descent by least squares; it distinguishes optima.
-    squares: f64,
+    /// Root mean square of the distances at the feet after the descent by least squares, if there was one; it
+    /// distinguishes optima.
+    squares: Option<f64>,
 }
 
 /// Number of candidates of the first batch. Each further batch has twice as many, up to `MOST_BATCH`.
@@ -105,7 +106,9 @@ const SETTLED: f64 = tolerance::TRIPLE_ROOT;
 /// Maximum ratio of the distance at a new optimum to that at the worst one kept, before the last descents. These
 /// descents may still reduce the distance.
 const HOPE: f64 = 1.5;
-/// Relative difference of root mean squares up to which two descents count as ending at the same optimum.
+/// One batch of so many lets its candidates near optima descend by the greatest distance directly.
+const DIRECT: usize = 4;
+/// Relative difference of root mean squares, or of deviations, up to which two optima count as the same.
 const SAME: f64 = 1e-3;
 /// Deviation, relative to the size of the path, below which no better linkage is sought.
 const EXACT: f64 = 1e-11;
@@ -244,10 +247,17 @@ impl Search {
 
     fn end_of_batch(&mut self) {
         let batch = std::mem::take(&mut self.batch);
-        for (found, candidate) in batch.into_iter().flatten() {
-            if let Some(fitted) = Fitted::new(&candidate, &found, &self.target) {
-                let fitted = Descent::new(fitted, 2, SCREENED).run(&self.target, STEPS);
-                self.keep(fitted, candidate);
+        let directly = self.wanted.norm == Norm::Greatest && self.batches % DIRECT == DIRECT - 1;
+        for (near, batch) in [false, true].into_iter().zip(batch) {
+            for (found, candidate) in batch {
+                if let Some(fitted) = Fitted::new(&candidate, &found, &self.target) {
+                    if near && directly {
+                        self.keep_directly(fitted, candidate);
+                    } else {
+                        let fitted = Descent::new(fitted, 2, SCREENED).run(&self.target, STEPS);
+                        self.keep(fitted, candidate);
+                    }
+                }
             }
         }
         self.batches += 1;
@@ -265,24 +275,40 @@ impl Search {
         }
         let fitted = Descent::new(fitted, 2, SETTLED).run(&self.target, STEPS);
         let squares = fitted.at_feet().root_mean_square;
-        let known = |other: &Optimum| (squares - other.squares).abs() <= SAME * other.squares;
-        if self.optima.iter().any(known) {
+        let known = |other: &f64| (squares - other).abs() <= SAME * other;
+        let all = self.optima.iter().filter_map(|one| one.squares.as_ref());
+        if all.into_iter().any(known) {
             return;
         }
         let deviation = Deviation::of(&fitted, &self.target);
         if !hopeful(&deviation) {
             return;
         }
-        let mut best = (fitted, deviation);
-        let last: &[&[i32]] = match self.wanted.norm {
-            Norm::Squares => &[&[2]],
-            Norm::Greatest => &[&[2, 4, 8], &[16, 32]],
+        self.add(fitted, candidate, Some(squares));
+    }
+
+    /// Adds an optimum that is found without least squares, if it is good enough. Some optima of the greatest distance
+    /// cannot be reached from one of least squares.
+    fn keep_directly(&mut self, fitted: Fitted, candidate: Candidate) {
+        let fitted = fitted.both_ways(&self.target);
+        let fitted = Descent::new(fitted, 8, SCREENED).run(&self.target, STEPS);
+        let worst = self.optima.last().map(|worst| self.rank(&worst.deviation));
+        if worst.is_none_or(|worst| self.rank(&fitted.at_feet()) < HOPE * worst) {
+            self.add(fitted, candidate, None);
+        }
+    }
+
+    /// Adds an optimum after the last descents, which compare all distances of its deviation, if it is among the best.
+    fn add(&mut self, fitted: Fitted, candidate: Candidate, squares: Option<f64>) {
+        let powers: &[i32] = match self.wanted.norm {
+            Norm::Squares => &[2],
+            Norm::Greatest => &[8, 32, 128],
         };
-        let mut fitted = best.0.clone();
-        for powers in last {
-            for power in *powers {
-                fitted = Descent::new(fitted, *power, SETTLED).run(&self.target, LAST_STEPS);
-            }
+        let deviation = Deviation::of(&fitted, &self.target);
+        let mut best = (fitted.clone(), deviation);
+        let mut fitted = fitted.both_ways(&self.target);
+        for power in powers {
+            fitted = Descent::new(fitted, *power, SETTLED).run(&self.target, LAST_STEPS);
             let deviation = Deviation::of(&fitted, &self.target);
             if self.rank(&deviation) < self.rank(&best.1) {
                 best = (fitted.clone(), deviation);
@@ -302,6 +328,8 @@ impl Search {
             Norm::Greatest => one.deviation.greatest,
         };
         sort_by(&mut self.optima, |a, b| rank(a).total_cmp(&rank(b)));
+        self.optima
+            .dedup_by(|b, a| rank(b) - rank(a) <= SAME * rank(a));
         self.optima.truncate(KEPT);
     }
 

@@ -42,6 +42,9 @@ pub enum TargetError {
 /// Maximum number of places of a path that a descent compares.
 pub(super) const COMPARED: usize = 64;
 
+/// Maximum number of points of a path that the last descents compare.
+const CORNERS: usize = 128;
+
 /// Maximum distance, in units of the size, of a place of a later lap from the same place of the first lap. Two turns of
 /// a computed motion differ by less.
 const REPEATED: f64 = 1e-6;
@@ -184,6 +187,12 @@ impl Target {
     /// Converts a point to units of the size, measured from the centre.
     pub(super) fn scaled(&self, at: Point) -> Complex<f64> {
         Complex::new(at.x - self.centre.x, at.y - self.centre.y) / self.size
+    }
+
+    /// Points of the outline, at most [`CORNERS`].
+    pub(super) fn corners(&self) -> impl Iterator<Item = Complex<f64>> + '_ {
+        let every = self.outline.len().div_ceil(CORNERS);
+        self.outline.iter().step_by(every.max(1)).copied()
     }
 
     /// Segments of the outline; those of a closed path include the segment from the last point to the first.
