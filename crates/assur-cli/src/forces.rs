@@ -300,7 +300,11 @@ pub(crate) fn run(out: &mut impl Write, asked: &RunAsked) -> Result<(), Failure>
                 Halt::End { end, .. } => {
                     let links = end.iter().flat_map(|end| motion.links_at(end));
                     let links: Vec<&str> = links.collect();
-                    format!("the motion ends at {input}: {}", links.join(", "))
+                    if links.is_empty() {
+                        format!("the motion cannot be followed beyond {input}")
+                    } else {
+                        format!("the motion ends at {input}: {}", links.join(", "))
+                    }
                 }
                 Halt::Locked { .. } => format!("the linkage locks itself by friction at {input}"),
             };

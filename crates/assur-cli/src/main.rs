@@ -83,8 +83,9 @@ enum Command {
     /// The linkage has one driver. It is free, or turned by the motor of the file, and moves under its loads from the
     /// pose of the drawing at the initial rate of the file. Columns are t (seconds), input (radians, or a length for a
     /// slide), rate and acceleration of the input, then in joules the kinetic and potential energy, the work of the
-    /// motor and of the given forces, and the energy lost in resistances and dampers. If the motion ends at a dead
-    /// point, the last row is there, and standard error says so.
+    /// motor and of the given forces, and the energy lost in resistances, dampers and friction. Friction may stop the
+    /// linkage; then it stays. If the motion ends at a dead point, or the linkage locks itself by friction, the last row
+    /// is there, and standard error says so.
     ///
     /// Example: assur run crank.json --until 3 --every 0.01
     Run(forces::RunAsked),

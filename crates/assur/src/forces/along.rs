@@ -3,6 +3,7 @@
 use super::system::System;
 use crate::numeric::gauss::{Adaptive, Advance};
 use crate::numeric::roots::root;
+use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to the kinetic energy.
 const ERROR: f64 = 1e-13;
@@ -112,7 +113,7 @@ impl Along {
         let unit = system.unit;
         let (part, before) = (self.state[0], self.steps);
         let rate = self.sense * speed(part * energy, system.reduced(from)?.inertia);
-        system.face([from, rate], sense);
+        system.take_contacts([from, rate], sense);
         let mut trial = |system: &mut System, most: f64| {
             self.steps = before;
             self.steps.step(
@@ -148,27 +149,29 @@ impl Along {
             )
         };
         let mut advance = trial(system, most)?;
-        // With friction a step ends where a contact changes.
-        if system.has_friction() {
-            let margin = |system: &mut System, advance: &Advance<6>| {
-                let input = from + sense * advance.length;
-                let reduced = system.reduced(input)?;
-                let rate = sense * speed((part + advance.gained[0]) * energy, reduced.inertia);
-                let torques = system.torques_in(reduced, [input, rate], false)?;
-                Some(torques.margin())
-            };
-            let end = margin(system, &advance)?;
-            if end < 0.0 {
-                let ends = [[0.0, -end], [advance.length, end]];
-                let length = root(ends, |length| {
-                    let advance = trial(system, length)?;
-                    margin(system, &advance)
-                })?;
-                // A contact that is lost from the start is kept for a step.
-                if length > least {
-                    advance = trial(system, length)?;
-                }
-            }
+        let margin = |system: &mut System, advance: &Advance<6>| {
+            let input = from + sense * advance.length;
+            let reduced = system.reduced(input)?;
+            let rate = sense * speed((part + advance.gained[0]) * energy, reduced.inertia);
+            let torques = system.torques_in(reduced, [input, rate], false)?;
+            Some(torques.margin())
+        };
+        // A step ends at a pose, and with friction where a contact changes.
+        let mut end = margin(system, &advance);
+        while end.is_none() && advance.length > least {
+            advance = trial(system, 0.5 * advance.length)?;
+            end = margin(system, &advance);
+        }
+        let end = end?;
+        if end < 0.0 {
+            let ends = [[0.0, -end], [advance.length, end]];
+            let length = root(ends, |length| {
+                let advance = trial(system, length)?;
+                margin(system, &advance)
+            })?;
+            // A contact that is lost from the start is kept for a short step.
+            let short = advance.length.min(tolerance::NEAR * unit);
+            advance = trial(system, if length > least { length } else { short })?;
         }
         for (value, gained) in self.state.iter_mut().zip(advance.gained) {
             *value += gained;

@@ -1,5 +1,5 @@
 //! Forces and couples in a pose that are not reactions: weights, inertia, loads, springs and dampers. Those of friction
-//! depend on the reactions; `friction` adds them.
+//! depend on the reactions; `friction` and `moving_friction` add them.
 
 use super::Loading;
 use super::loading::{Damper, Load, Spring};

@@ -46,7 +46,10 @@ pub(super) fn balanced(
 ) -> Result<(System, Balance, Steady), NoCycle> {
     let system = System::new(motion, loading, motor.unwrap_or(&Motor::NONE));
     let mut system = system.map_err(NoCycle::Run)?;
-    let mut guess = rate;
+    let mut guess = match motor {
+        Some(motor) if rate == 0.0 => motor.fastest().copysign(motor.torque(0.0)[0]),
+        _ => rate,
+    };
     for _ in 0..PASSES {
         let balance = Balance::new(&mut system, guess)?;
         let steady = balance.steady(motor, rate)?;

@@ -18,7 +18,7 @@ const MAX_STEPS: usize = 60;
 /// Change of the friction in one step, relative to the greatest reaction, at which Newton's method has arrived.
 const ARRIVED: f64 = 1e-13;
 
-/// Shortest step of the share of the coefficients while friction is followed.
+/// Shortest step of the share of the coefficients while friction is followed, relative to the share.
 const SHORTEST: f64 = 1e-6;
 
 /// Determinant below which friction grows without bound. Near the share at which it does, the determinant is proportional
@@ -38,6 +38,8 @@ pub(super) struct Sliding {
     along: Vector,
     /// Rate of the first body relative to the second, by the input: of rotation, or along the line.
     pub(super) by_input: f64,
+    /// The same without a unit: in units of the input, and of the size of the mechanism for a slide.
+    pub(super) share: f64,
     /// Sense of the first body's motion relative to the second: 1, −1, or 0 if they do not move relative to each other.
     pub(super) sense: f64,
     /// Side on which a slide bears; None if it follows from the reaction.
@@ -82,13 +84,8 @@ impl Bearing {
 }
 
 impl Sliding {
-    /// Friction of a pair in a pose, for a sense of the input's motion: 1, −1, or 0 at rest. None if the pair is a mesh.
-    pub(super) fn new(
-        forces: &Kinetostatics,
-        of: Friction,
-        state: &State<3>,
-        sense: f64,
-    ) -> Option<Self> {
+    /// Friction of a pair in a pose, without a sense; None if the pair is a mesh.
+    pub(super) fn new(forces: &Kinetostatics, of: Friction, state: &State<3>) -> Option<Self> {
         let (start, pair) = forces.held(of.pair);
         let (bodies, at, along, by_input, size) = match pair.kind {
             Kind::Hinge(at, _) => {
@@ -105,7 +102,6 @@ impl Sliding {
             }
             Kind::Mesh(_) => return None,
         };
-        let moves = by_input.abs() > tolerance::COINCIDENT * size;
         Some(Self {
             of,
             start,
@@ -113,13 +109,19 @@ impl Sliding {
             at,
             along,
             by_input,
-            sense: if moves {
-                by_input.signum() * sense
-            } else {
-                0.0
-            },
+            share: by_input * forces.unit() / size,
+            sense: 0.0,
             bearing: None,
         })
+    }
+
+    /// Sense of the relative motion while the input increases; zero if the bodies do not move relative to each other.
+    pub(super) fn direction(&self) -> f64 {
+        if self.share.abs() > tolerance::COINCIDENT {
+            self.share.signum()
+        } else {
+            0.0
+        }
     }
 
     pub(super) fn is_hinge(&self) -> bool {
@@ -306,7 +308,7 @@ impl Law<'_> {
                     (friction, determinant, share) = (found, next_determinant, next);
                     step *= 2.0;
                 }
-                _ if step > SHORTEST => step *= 0.5,
+                _ if step > SHORTEST * share.max(SHORTEST) => step *= 0.5,
                 _ if determinant < LOCKING => return Err(Unbalanced::Locked),
                 _ => return Err(Unbalanced::Unsettled),
             }
@@ -354,6 +356,7 @@ mod tests {
             at: Vector::zeros(),
             along: Vector::x(),
             by_input: 1.0,
+            share: 1.0,
             sense: 1.0,
             bearing: None,
         }];
@@ -373,6 +376,21 @@ mod tests {
             let found = slide(response, 0.5).unwrap();
             assert!((found - expected).abs() < 1e-10 * expected.abs(), "{found}");
         }
+    }
+
+    /// A block of length 4 in a mechanism of size 2: a moment of b·2 bears on its ends, at 2 from the middle each, with
+    /// b and b, which is more than the normal force a if b > a.
+    #[test]
+    fn a_block_bears_on_a_face_or_on_its_ends() {
+        let arm = 2.0 * 2.0 / 4.0;
+        assert_eq!(Bearing::of([-3.0, 2.0], arm), Bearing::Face(-1.0));
+        assert_eq!(Bearing::of([3.0, -4.0], arm), Bearing::Ends(-1.0));
+        let (force, by) = Bearing::Face(-1.0).force([-3.0, 2.0], arm);
+        assert_eq!((force, by), (3.0, [-1.0, 0.0]));
+        let (force, by) = Bearing::Ends(-1.0).force([3.0, -4.0], arm);
+        assert_eq!((force, by), (4.0, [0.0, -1.0]));
+        assert_eq!(Bearing::Face(-1.0).margin([-3.0, 2.0], arm), 1.0);
+        assert_eq!(Bearing::Ends(-1.0).margin([5.0, -4.0], arm), -1.0);
     }
 
     /// With r = −2.1 the normal force would grow by more than the friction that it causes.

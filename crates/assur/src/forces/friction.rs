@@ -52,7 +52,11 @@ impl Kinetostatics {
     ) -> Result<(), Unbalanced> {
         let sense = if rate == 0.0 { 0.0 } else { rate.signum() };
         let all = loading.friction.iter();
-        let all = all.filter_map(|of| Sliding::new(self, *of, state, sense));
+        let all = all.filter_map(|of| {
+            let mut sliding = Sliding::new(self, *of, state)?;
+            sliding.sense = sliding.direction() * sense;
+            Some(sliding)
+        });
         let moving = all.filter(|one| one.sense != 0.0 && one.is_known(found));
         let sliding: Vec<Sliding> = moving.collect();
         if sliding.is_empty() {

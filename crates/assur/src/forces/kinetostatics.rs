@@ -1,5 +1,7 @@
 //! Reactions and balancing torques of a mechanism in a pose, block by block in the order opposite to solving.
 
+use std::f64::consts::TAU;
+
 use super::applied::Applied;
 use super::block::{Block, Form, Held, Matrix, Total, Work};
 use super::pair::{Component, DriverId, Kind, Pair, PairId, Wrench, drives, pairs, placing};
@@ -24,6 +26,8 @@ pub struct Kinetostatics {
     pub(super) blocks: Vec<Block>,
     bodies: usize,
     pub(super) size: f64,
+    /// Unit of the input: a radian, or a part of the range of a slide.
+    unit: f64,
 }
 
 /// The reason why a pose has no reactions.
@@ -57,6 +61,7 @@ impl Kinetostatics {
             held,
             bodies: mechanism.bodies().len(),
             size: mechanism.scale_of_places(),
+            unit: mechanism.span() / TAU,
             blocks: Vec::new(),
             components,
             pairs,
@@ -262,6 +267,11 @@ impl Kinetostatics {
     /// Number of components of pairs, before those of the drives.
     pub(super) fn pairs_held(&self) -> usize {
         self.held
+    }
+
+    /// Unit of the input.
+    pub(super) fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// Length by which couples are divided.

@@ -14,15 +14,15 @@ use crate::position::State;
 #[derive(Clone, Debug)]
 pub(super) struct MovingFriction {
     forces: Kinetostatics,
-    /// Contact in each pair with friction. It is the same within a step of integration, so that the forces are smooth.
-    contacts: Vec<Contact>,
+    /// SlidingContact in each pair with friction. It is the same within a step of integration, so that the forces are smooth.
+    contacts: Vec<SlidingContact>,
     /// Buffers.
     found: Reactions,
 }
 
 /// How a pair slides.
 #[derive(Clone, Copy, Debug, Default)]
-struct Contact {
+struct SlidingContact {
     /// Sense of the relative motion while the input increases; 0 if there is none.
     sense: f64,
     /// Side on which a slide bears.
@@ -85,20 +85,29 @@ impl MovingFriction {
     pub(super) fn new(mechanism: &Mechanism, loading: &Loading) -> Option<Self> {
         loading.has_friction().then(|| Self {
             forces: Kinetostatics::new(mechanism),
-            contacts: vec![Contact::default(); loading.friction.len()],
+            contacts: vec![SlidingContact::default(); loading.friction.len()],
             found: Reactions::default(),
         })
     }
 
-    /// Takes the contacts from a pose, with the reactions there.
-    pub(super) fn face(&mut self, loading: &Loading, state: &State<3>, at: Driven) {
+    /// Forgets all contacts.
+    pub(super) fn release(&mut self) {
+        self.contacts.fill(SlidingContact::default());
+    }
+
+    /// Takes from a pose the senses of the pairs that move there and have none yet; true if all have one.
+    pub(super) fn take_senses(&mut self, loading: &Loading, state: &State<3>) -> bool {
         for (contact, of) in self.contacts.iter_mut().zip(&loading.friction) {
-            let sliding = Sliding::new(&self.forces, *of, state, 1.0);
-            *contact = Contact {
-                sense: sliding.map_or(0.0, |sliding| sliding.sense),
-                bearing: None,
-            };
+            if contact.sense == 0.0 {
+                let sliding = Sliding::new(&self.forces, *of, state);
+                contact.sense = sliding.map_or(0.0, |sliding| sliding.direction());
+            }
         }
+        self.contacts.iter().all(|contact| contact.sense != 0.0)
+    }
+
+    /// Takes the bearings of slides from the reactions in a pose; they stay unknown if the friction is not found there.
+    pub(super) fn take_bearings(&mut self, loading: &Loading, state: &State<3>, at: Driven) {
         let Ok(components) = self.components(loading, state, at) else {
             return;
         };
@@ -162,8 +171,7 @@ impl MovingFriction {
         let greatest = components.bare.iter();
         let greatest = greatest.fold(0.0_f64, |most, one| most.max(one.abs()));
         let margins = sliding.iter().flat_map(|one| {
-            let unit = if one.is_hinge() { 1.0 } else { size };
-            let turns = one.by_input * one.sense * at.sense / unit;
+            let turns = one.share * one.sense * at.sense;
             let bears = law.margin(one, &friction).map(|force| force / greatest);
             [Some(turns), bears]
         });
@@ -216,7 +224,7 @@ impl MovingFriction {
         let mut bare = forces.caused(state, applied, found)?;
         let pairs = loading.friction.iter().zip(contacts);
         let sliding = pairs.filter_map(|(of, contact)| {
-            let mut sliding = Sliding::new(forces, *of, state, 0.0)?;
+            let mut sliding = Sliding::new(forces, *of, state)?;
             (sliding.sense, sliding.bearing) = (contact.sense * at.sense, contact.bearing);
             Some(sliding)
         });

@@ -256,11 +256,15 @@ impl Run {
         let unit = system.unit;
         let (input, rest) = state.input;
         let Some(sense) = system.sense(input, state.rate) else {
-            // The linkage stays at rest.
+            // Friction holds the linkage, unless it is not found.
+            let is_lost = matches!(
+                system.unbalanced,
+                Some(Unbalanced::Unsettled | Unbalanced::Singular { .. })
+            );
             state.time += most;
-            return Some(());
+            return (!is_lost).then_some(());
         };
-        system.face([input, state.rate], sense);
+        system.take_contacts([input, state.rate], sense);
         let here = system.torques([input, state.rate])?;
         // Rate at which the input moves by its unit, also from rest.
         let scale = state.rate.abs() + (here.acceleration().abs() * unit).sqrt();
@@ -303,30 +307,38 @@ impl Run {
             }
             advance = trial(system, advance.length * to_knot / moved)?;
         }
-        // With friction a step ends where a contact changes, and where the linkage stops.
-        if system.has_friction() {
-            let margin = |system: &mut System, advance: &Advance<3>| {
-                let rate = state.rate + advance.gained[0];
-                let torques = system.torques([input + (rest + advance.moved[0]), rate])?;
-                Some(torques.margin().min(rate * sense / scale))
+        let has_friction = system.has_friction();
+        let margin = |system: &mut System, advance: &Advance<3>| {
+            let rate = state.rate + advance.gained[0];
+            let torques = system.torques([input + (rest + advance.moved[0]), rate])?;
+            let stops = if has_friction {
+                rate * sense / scale
+            } else {
+                f64::INFINITY
             };
-            let end = margin(system, &advance)?;
-            if end < 0.0 {
-                let ends = [[0.0, -end], [advance.length, end]];
-                let length = root(ends, |length| {
-                    let advance = trial(system, length)?;
-                    margin(system, &advance)
-                })?;
-                // A contact that is lost from the start is kept for a step.
-                if length > least {
-                    advance = trial(system, length)?;
-                }
-            }
+            Some(torques.margin().min(stops))
+        };
+        // A step ends at a pose, and with friction where a contact changes, and where the linkage stops.
+        let mut end = margin(system, &advance);
+        while end.is_none() && advance.length > least {
+            advance = trial(system, 0.5 * advance.length)?;
+            end = margin(system, &advance);
+        }
+        let end = end?;
+        if end < 0.0 {
+            let ends = [[0.0, -end], [advance.length, end]];
+            let length = root(ends, |length| {
+                let advance = trial(system, length)?;
+                margin(system, &advance)
+            })?;
+            // A contact that is lost from the start is kept for a short step.
+            let short = advance.length.min(tolerance::NEAR * unit / scale);
+            advance = trial(system, if length > least { length } else { short })?;
         }
         let [rate, work, lost] = advance.gained;
         state.input = sum(input, rest + advance.moved[0]);
         state.rate = add(&mut state.rest, state.rate, rate);
-        if system.has_friction() && state.rate * sense <= tolerance::NEGLIGIBLE * scale {
+        if has_friction && state.rate * sense <= tolerance::NEGLIGIBLE * scale {
             (state.rate, state.rest) = (0.0, 0.0);
         }
         state.work += momentum * work;

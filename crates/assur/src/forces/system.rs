@@ -10,9 +10,9 @@ use crate::mechanism::{Pose, Unsolved};
 use crate::motion::Motion;
 use crate::tolerance;
 
-/// Distance ahead at which a step takes the contacts of pairs with friction, in units of the input. It is longer than
-/// that within which a pair counts as at rest, and short enough for a contact that changes within it to be no error.
-const AHEAD: f64 = tolerance::TRIPLE_ROOT;
+/// Distances ahead at which a step takes the contacts of pairs with friction, in units of the input. Near the place at
+/// which its sense changes a pair is nearly at rest; its new sense is that at the first distance at which it moves.
+const AHEAD: [f64; 3] = [tolerance::TRIPLE_ROOT, 1e-4, 1e-2];
 
 /// A linkage under load with one freedom.
 #[derive(Clone, Debug)]
@@ -185,20 +185,34 @@ impl System {
     }
 
     /// Begins a step from an input at a rate in a sense: pairs with friction slide and bear as they do just ahead.
-    pub(super) fn face(&mut self, [input, rate]: [f64; 2], sense: f64) {
+    pub(super) fn take_contacts(&mut self, [input, rate]: [f64; 2], sense: f64) {
         self.sense = sense;
-        let ahead = input + sense * AHEAD * self.unit;
-        let is_placed =
-            self.has_friction() && (self.place(ahead).is_ok() || self.place(input).is_ok());
+        let Some(moving) = &mut self.friction else {
+            return;
+        };
+        moving.release();
+        let ways = AHEAD.map(|ahead| sense * ahead * self.unit);
+        for way in ways {
+            let is_placed = self.motion.place(input + way, &mut self.pose).is_ok();
+            if is_placed && moving.take_senses(&self.loading, self.pose.state()) {
+                break;
+            }
+        }
+        // Along the motion the rate changes, too: ω² by 2ε over the way of the input.
+        let Some(here) = self.torques([input, rate]) else {
+            return;
+        };
+        let square = rate * rate + 2.0 * here.acceleration() * ways[0];
+        let rate = sense * square.max(0.0).sqrt();
+        let is_placed = self.place(input + ways[0]).is_ok();
         if let Some(moving) = self.friction.as_mut().filter(|_| is_placed) {
-            let drive = self.motor.torque(rate)[0];
             let at = Driven {
-                input,
+                input: input + ways[0],
                 rate,
                 sense,
-                drive,
+                drive: self.motor.torque(rate)[0],
             };
-            moving.face(&self.loading, self.pose.state(), at);
+            moving.take_bearings(&self.loading, self.pose.state(), at);
         }
     }
 
@@ -207,7 +221,7 @@ impl System {
         let Some(sense) = self.sense(input, rate) else {
             return 0.0;
         };
-        self.face([input, rate], sense);
+        self.take_contacts([input, rate], sense);
         let torques = self.torques([input, rate]);
         torques.map_or(0.0, |torques| torques.acceleration())
     }
@@ -218,7 +232,7 @@ impl System {
             return Some(rate.signum());
         }
         let mut starts = |sense: f64| {
-            self.face([input, 0.0], sense);
+            self.take_contacts([input, 0.0], sense);
             let torques = self.torques([input, 0.0]);
             torques.is_some_and(|torques| torques.acceleration() * sense > 0.0)
         };
