@@ -1,4 +1,6 @@
 use super::*;
+use crate::angle::nearest_to;
+use crate::synthesis::approximation::target::Course;
 use crate::synthesis::cognates::CouplerFourBar;
 
 fn at(x: f64, y: f64) -> Point {
@@ -137,4 +139,31 @@ fn only_the_traced_part_counts() {
     let target = Target::new(&points, Course::Open, None).unwrap();
     let traced = Traced::new(&linkage, &motion, &target).unwrap();
     assert!(traced.deviation.greatest < 2e-3, "{:?}", traced.deviation);
+}
+
+/// A point beside a hinge of the rocker has a narrow curve. Of a path with noise along the middle of one strand the nearest
+/// places lie on both strands, and the part between them reaches to an end of the curve. The places that follow one another
+/// stay on the strand.
+#[test]
+fn feet_stay_on_their_strand() {
+    let (d, b) = (at(5.0, 0.0), at(0.0, 2.0));
+    let c = joint(b, d, [5.0, 4.0]);
+    let ends = [at(0.0, 0.0), d];
+    let linkage = CouplerFourBar::new(ends, [b, c], c + Vector::new(0.02, 0.01)).unwrap();
+    let motion = motion(&linkage);
+    let linkage = Tracing::FourBar(linkage);
+    let inputs: Vec<f64> = (0..40).map(|k| 0.9 + 1.2 * f64::from(k) / 39.0).collect();
+    let noise = |k: usize| 0.02 * ((k * 7 % 5) as f64 - 2.0);
+    let points = inputs.iter().enumerate().map(|(k, input)| {
+        let place = place(&motion, *input);
+        at(place.x, place.y + noise(k))
+    });
+    let points: Vec<Point> = points.collect();
+    let target = Target::new(&points, Course::Open, None).unwrap();
+    let traced = Traced::new(&linkage, &motion, &target).unwrap();
+    for (found, expected) in traced.inputs.iter().zip(inputs) {
+        let off = nearest_to(found.unwrap(), expected) - expected;
+        assert!(off.abs() < 0.2, "{found:?}, not {expected}");
+    }
+    assert!(traced.deviation.greatest < 0.05, "{:?}", traced.deviation);
 }
