@@ -66,8 +66,8 @@ impl Linkage {
         ]
     }
 
-    /// The least and the greatest length of the links, frame and coupler included; None if the least is zero. If no
-    /// link has a length, they are +∞ and −∞.
+    /// The least and the greatest length of the links, frame and coupler included; None if the least is zero, and if no
+    /// link has a length, as of a slider and a block.
     pub(super) fn lengths_of(dyads: &[Dyad; 2]) -> Option<[f64; 2]> {
         let mut lengths = Vec::new();
         for dyad in dyads {
@@ -84,7 +84,7 @@ impl Linkage {
             }
         }
         let [least, most] = extremes(lengths.into_iter());
-        (least > 0.0).then_some([least, most])
+        (least > 0.0 && least.is_finite()).then_some([least, most])
     }
 
     /// Specification of the linkage as a mechanism that moves, drawn in a pose of the task (the first if there is no
@@ -220,5 +220,28 @@ impl Linkage {
         });
         let all: Vec<Vector> = poses.chain(points).map(|point| point.coords).collect();
         crate::linkage::spec::extent(all.into_iter()).max(f64::MIN_POSITIVE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_of_a_slider_crank_and_of_a_slider_with_a_block() {
+        let slider = Dyad::Slider {
+            point: Point::new(4.0, 0.0),
+            along: Vector::x(),
+        };
+        let hinges = Dyad::Hinges {
+            pivot: Point::new(0.0, 0.0),
+            point: Point::new(0.0, 3.0),
+        };
+        let block = Dyad::Block {
+            pivot: Point::new(0.0, 0.0),
+            along: Vector::y(),
+        };
+        assert_eq!(Linkage::lengths_of(&[hinges, slider]), Some([3.0, 5.0]));
+        assert_eq!(Linkage::lengths_of(&[slider, block]), None);
     }
 }

@@ -118,15 +118,21 @@ impl<'a> Curve<'a> {
         Some(feet)
     }
 
-    /// Samples at which the distance from a place is a local minimum: numbers of a piece, and of a sample in it.
+    /// Samples at which the distance from a place is a local minimum: numbers of a piece, and of a sample in it. The ends of
+    /// a whole turn are one place.
     fn minima(&self, wanted: Complex<f64>) -> Vec<[usize; 2]> {
         let mut minima = Vec::new();
+        let is_whole = self.pieces.len() == 1 && self.motion.cycle().period().is_some();
         for (number, piece) in self.pieces.iter().enumerate() {
-            let off = |k: usize| (piece[k].1 - wanted).norm();
             let last = piece.len() - 1;
+            let off = |k: usize| (piece[k].1 - wanted).norm();
+            let beside = |k: usize, other: Option<usize>, around: usize| {
+                let other = other.or(is_whole.then_some(around));
+                other.is_none_or(|other| off(k) <= off(other))
+            };
             let is_least = |k: &usize| {
-                let here = off(*k);
-                (*k == 0 || here <= off(k - 1)) && (*k == last || here <= off(k + 1))
+                beside(*k, k.checked_sub(1), last - 1)
+                    && beside(*k, Some(k + 1).filter(|next| *next <= last), 1)
             };
             minima.extend((0..=last).filter(is_least).map(|k| [number, k]));
         }
