@@ -154,7 +154,9 @@ async fn a_curve_is_drawn_and_searched() {
 async fn a_photograph_is_put_behind_the_path() {
     let page = open("path-nine").await;
     assert_eq!(page.picture("mechanism").await.cloud(FROM).count, 0);
-    let scan = file("path.svg", SCAN);
+    // A spot so large that no link covers it.
+    let large = SCAN.replacen(r#"width="20" height="20""#, r#"width="90" height="90""#, 1);
+    let scan = file("path.svg", large);
     page.choose_file("path-photograph-file", &scan).await;
     page.until("the photograph", async || {
         let remove = page.element("path-photograph-remove").await;
