@@ -56,7 +56,7 @@ fn slide(coefficient: f64) -> FrictionSpec {
     }
 }
 
-fn hinge(point: &str, coefficient: f64, radius: f64) -> FrictionSpec {
+pub(crate) fn hinge(point: &str, coefficient: f64, radius: f64) -> FrictionSpec {
     let point = point.to_owned();
     FrictionSpec::Hinge {
         point,

@@ -17,21 +17,14 @@ use assur::motion::Motion;
 use assur_file::Document;
 use assur_tests::{Table, assert_near};
 
+use crate::friction::hinge;
+
 const GRAVITY: f64 = 9.81;
 
 fn loaded(spec: &LinkageSpec, loading: LoadingSpec) -> (Motion, Loading) {
     let mechanism = Mechanism::new(spec).unwrap();
     let loading = Loading::new(&mechanism, &loading).unwrap();
     (Motion::new(mechanism), loading)
-}
-
-fn hinge(point: &str, coefficient: f64, radius: f64) -> FrictionSpec {
-    let point = point.to_owned();
-    FrictionSpec::Hinge {
-        point,
-        coefficient,
-        radius,
-    }
 }
 
 fn slide(link: &str, coefficient: f64) -> FrictionSpec {

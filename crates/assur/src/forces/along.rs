@@ -2,7 +2,6 @@
 
 use super::system::System;
 use crate::numeric::gauss::{Adaptive, Advance};
-use crate::numeric::roots::root;
 use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to the kinetic energy.
@@ -148,7 +147,7 @@ impl Along {
                 |[_, off]| off.into_iter().map(f64::abs).fold(0.0, f64::max) / (ERROR * part),
             )
         };
-        let mut advance = trial(system, most)?;
+        let advance = trial(system, most)?;
         let margin = |system: &mut System, advance: &Advance<6>| {
             let input = from + sense * advance.length;
             let reduced = system.reduced(input)?;
@@ -156,23 +155,7 @@ impl Along {
             let torques = system.torques_in(reduced, [input, rate], false)?;
             Some(torques.margin())
         };
-        // A step ends at a pose, and with friction where a contact changes.
-        let mut end = margin(system, &advance);
-        while end.is_none() && advance.length > least {
-            advance = trial(system, 0.5 * advance.length)?;
-            end = margin(system, &advance);
-        }
-        let end = end?;
-        if end < 0.0 {
-            let ends = [[0.0, -end], [advance.length, end]];
-            let length = root(ends, |length| {
-                let advance = trial(system, length)?;
-                margin(system, &advance)
-            })?;
-            // A contact that is lost from the start is kept for a short step.
-            let short = advance.length.min(tolerance::NEAR * unit);
-            advance = trial(system, if length > least { length } else { short })?;
-        }
+        let advance = system.ended(advance, [least, tolerance::NEAR * unit], trial, margin)?;
         for (value, gained) in self.state.iter_mut().zip(advance.gained) {
             *value += gained;
         }

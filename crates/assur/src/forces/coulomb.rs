@@ -4,11 +4,13 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Reactions;
 use super::applied::{Applied, Source, relative, turning};
+use super::bearing::Bearing;
 use super::friction::{Friction, FrictionLaw};
 use super::kinetostatics::{Kinetostatics, Unbalanced};
 use super::pair::Kind;
 use crate::index::BodyId;
 use crate::mechanism::Guide;
+use crate::numeric::max_abs;
 use crate::position::State;
 use crate::{Vector, tolerance};
 
@@ -44,43 +46,6 @@ pub(super) struct Sliding {
     pub(super) sense: f64,
     /// Side on which a slide bears; None if it follows from the reaction.
     pub(super) bearing: Option<Bearing>,
-}
-
-/// Side on which the block of a slide bears, by the sign of a component of the reaction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Bearing {
-    /// On one of its faces, by the normal force.
-    Face(f64),
-    /// On both of its ends, by the moment: the line of the reaction passes the block.
-    Ends(f64),
-}
-
-impl Bearing {
-    /// Bearing of a block under a normal force a and a moment b, in units of force, whose forces on the ends are together
-    /// `arm` times b.
-    fn of([a, b]: [f64; 2], arm: f64) -> Self {
-        if arm * b.abs() > a.abs() {
-            Self::Ends(b.signum())
-        } else {
-            Self::Face(a.signum())
-        }
-    }
-
-    /// Forces on the surfaces together, with their derivatives by both components.
-    fn force(self, [a, b]: [f64; 2], arm: f64) -> (f64, [f64; 2]) {
-        match self {
-            Self::Face(sign) => (sign * a, [sign, 0.0]),
-            Self::Ends(sign) => (sign * arm * b, [0.0, sign * arm]),
-        }
-    }
-
-    /// Distance, as a force, from a change of the bearing; negative beyond it.
-    fn margin(self, [a, b]: [f64; 2], arm: f64) -> f64 {
-        match self {
-            Self::Face(sign) => sign * a - arm * b.abs(),
-            Self::Ends(sign) => sign * arm * b - a.abs(),
-        }
-    }
 }
 
 impl Sliding {
@@ -241,6 +206,11 @@ impl Law<'_> {
         matrix.lu().solve(&caused)
     }
 
+    /// The greatest component without friction.
+    pub(super) fn greatest(&self) -> f64 {
+        max_abs(self.bare.iter().copied())
+    }
+
     fn identity(&self) -> DMatrix<f64> {
         DMatrix::identity(self.sliding.len(), self.sliding.len())
     }
@@ -271,8 +241,7 @@ impl Law<'_> {
     /// Friction under a share of all coefficients, by Newton's method from a guess, with the determinant of the equations
     /// for its change; None if it does not arrive.
     fn settle(&self, share: f64, mut friction: DVector<f64>) -> Option<(DVector<f64>, f64)> {
-        let most = |most: f64, value: &f64| most.max(value.abs());
-        let greatest = self.bare.iter().fold(0.0, most);
+        let greatest = self.greatest();
         for _ in 0..MAX_STEPS {
             let (mut matrix, mut rest) = (self.identity(), friction.clone());
             for (row, one) in self.sliding.iter().enumerate() {
@@ -376,21 +345,6 @@ mod tests {
             let found = slide(response, 0.5).unwrap();
             assert!((found - expected).abs() < 1e-10 * expected.abs(), "{found}");
         }
-    }
-
-    /// A block of length 4 in a mechanism of size 2: a moment of b·2 bears on its ends, at 2 from the middle each, with
-    /// b and b, which is more than the normal force a if b > a.
-    #[test]
-    fn a_block_bears_on_a_face_or_on_its_ends() {
-        let arm = 2.0 * 2.0 / 4.0;
-        assert_eq!(Bearing::of([-3.0, 2.0], arm), Bearing::Face(-1.0));
-        assert_eq!(Bearing::of([3.0, -4.0], arm), Bearing::Ends(-1.0));
-        let (force, by) = Bearing::Face(-1.0).force([-3.0, 2.0], arm);
-        assert_eq!((force, by), (3.0, [-1.0, 0.0]));
-        let (force, by) = Bearing::Ends(-1.0).force([3.0, -4.0], arm);
-        assert_eq!((force, by), (4.0, [0.0, -1.0]));
-        assert_eq!(Bearing::Face(-1.0).margin([-3.0, 2.0], arm), 1.0);
-        assert_eq!(Bearing::Ends(-1.0).margin([5.0, -4.0], arm), -1.0);
     }
 
     /// With r = −2.1 the normal force would grow by more than the friction that it causes.

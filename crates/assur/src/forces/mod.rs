@@ -19,7 +19,7 @@
 //! | `equilibrium` | the equations of a body in senses of a student's choice, and the judgement of answers |
 //! | `plan` | force plans, group by group, as constructed by hand |
 //! | `lever` | Zhukovsky's lever: the turned plan of velocities with the forces on it |
-//! | `friction`, `coulomb` | dry friction in hinges and slides, efficiency, self-locking; Coulomb's law for all pairs together |
+//! | `friction`, `coulomb`, `bearing` | dry friction in hinges and slides, efficiency, self-locking; Coulomb's law for all pairs together; the sides on which a block bears |
 //! | `moving_friction` | friction where the drive is given and the acceleration is not |
 //! | `shaking` | shaking force and moment, counterweights of a four-bar |
 //! | `reduced` | moment of inertia and torque reduced to the input; energies |
@@ -34,6 +34,7 @@
 mod along;
 mod applied;
 mod balance;
+mod bearing;
 mod block;
 mod coulomb;
 mod cycle;

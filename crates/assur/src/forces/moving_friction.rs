@@ -1,6 +1,7 @@
 //! Friction in the motion under load of a linkage of one freedom, where the drive is given and the acceleration is not.
 
-use super::coulomb::{Bearing, LOCKING, Law, Sliding};
+use super::bearing::Bearing;
+use super::coulomb::{LOCKING, Law, Sliding};
 use super::kinetostatics::{Kinetostatics, Unbalanced};
 use super::pair::Wrench;
 use super::{Loading, Reactions};
@@ -10,11 +11,11 @@ use crate::position::State;
 /// Pairs with friction, and the senses in which they slide.
 ///
 /// Reactions depend linearly on the acceleration and on the friction. The torque of the drive is given, so it determines
-/// the acceleration for any friction; what is left is Coulomb's law for the friction alone.
+/// the acceleration for any friction, and Coulomb's law determines the friction.
 #[derive(Clone, Debug)]
 pub(super) struct MovingFriction {
     forces: Kinetostatics,
-    /// SlidingContact in each pair with friction. It is the same within a step of integration, so that the forces are smooth.
+    /// How each pair with friction slides; the same within a step of integration, so that the forces are smooth.
     contacts: Vec<SlidingContact>,
     /// Buffers.
     found: Reactions,
@@ -168,8 +169,7 @@ impl MovingFriction {
             });
             torques.sum::<f64>()
         };
-        let greatest = components.bare.iter();
-        let greatest = greatest.fold(0.0_f64, |most, one| most.max(one.abs()));
+        let greatest = law.greatest();
         let margins = sliding.iter().flat_map(|one| {
             let turns = one.share * one.sense * at.sense;
             let bears = law.margin(one, &friction).map(|force| force / greatest);

@@ -6,7 +6,6 @@ use crate::angle::sum;
 use crate::mechanism::Unsolved;
 use crate::motion::{DeadPoint, Motion};
 use crate::numeric::gauss::{Adaptive, Advance};
-use crate::numeric::roots::root;
 use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to a radian of the input.
@@ -318,23 +317,8 @@ impl Run {
             };
             Some(torques.margin().min(stops))
         };
-        // A step ends at a pose, and with friction where a contact changes, and where the linkage stops.
-        let mut end = margin(system, &advance);
-        while end.is_none() && advance.length > least {
-            advance = trial(system, 0.5 * advance.length)?;
-            end = margin(system, &advance);
-        }
-        let end = end?;
-        if end < 0.0 {
-            let ends = [[0.0, -end], [advance.length, end]];
-            let length = root(ends, |length| {
-                let advance = trial(system, length)?;
-                margin(system, &advance)
-            })?;
-            // A contact that is lost from the start is kept for a short step.
-            let short = advance.length.min(tolerance::NEAR * unit / scale);
-            advance = trial(system, if length > least { length } else { short })?;
-        }
+        let lengths = [least, tolerance::NEAR * unit / scale];
+        advance = system.ended(advance, lengths, trial, margin)?;
         let [rate, work, lost] = advance.gained;
         state.input = sum(input, rest + advance.moved[0]);
         state.rate = add(&mut state.rest, state.rate, rate);

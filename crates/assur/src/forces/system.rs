@@ -8,6 +8,8 @@ use super::moving_friction::{Driven, FrictionTorque, MovingFriction};
 use super::{Loading, Motor, NoCycle, NoRun, Reduced, Unbalanced};
 use crate::mechanism::{Pose, Unsolved};
 use crate::motion::Motion;
+use crate::numeric::gauss::Advance;
+use crate::numeric::roots::root;
 use crate::tolerance;
 
 /// Distances ahead at which a step takes the contacts of pairs with friction, in units of the input. Near the place at
@@ -214,6 +216,34 @@ impl System {
             };
             moving.take_bearings(&self.loading, self.pose.state(), at);
         }
+    }
+
+    /// A step that ends at a pose and before its margin vanishes: where a contact of a pair with friction changes, or the
+    /// linkage stops. `trial` makes a step of a length. A step whose root is shorter than `least` has lost a contact from
+    /// the start; it keeps the contact for the length `short`. None if no step ends at a pose.
+    pub(super) fn ended<const N: usize>(
+        &mut self,
+        mut advance: Advance<N>,
+        [least, short]: [f64; 2],
+        mut trial: impl FnMut(&mut Self, f64) -> Option<Advance<N>>,
+        margin: impl Fn(&mut Self, &Advance<N>) -> Option<f64>,
+    ) -> Option<Advance<N>> {
+        let mut end = margin(self, &advance);
+        while end.is_none() && advance.length > least {
+            advance = trial(self, 0.5 * advance.length)?;
+            end = margin(self, &advance);
+        }
+        let end = end?;
+        if end >= 0.0 {
+            return Some(advance);
+        }
+        let ends = [[0.0, -end], [advance.length, end]];
+        let length = root(ends, |length| {
+            let advance = trial(self, length)?;
+            margin(self, &advance)
+        })?;
+        let short = advance.length.min(short);
+        trial(self, if length > least { length } else { short })
     }
 
     /// Acceleration of the input; zero where friction holds the linkage, or nothing is found.

@@ -276,8 +276,8 @@ impl Search {
         let fitted = Descent::new(fitted, 2, SETTLED).run(&self.target, STEPS);
         let squares = fitted.at_feet().root_mean_square;
         let known = |other: &f64| (squares - other).abs() <= SAME * other;
-        let all = self.optima.iter().filter_map(|one| one.squares.as_ref());
-        if all.into_iter().any(known) {
+        let mut all = self.optima.iter().filter_map(|one| one.squares.as_ref());
+        if all.any(known) {
             return;
         }
         let deviation = Deviation::of(&fitted, &self.target);
