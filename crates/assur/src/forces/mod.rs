@@ -19,29 +19,16 @@
 //! | `equilibrium` | the equations of a body in senses of a student's choice, and the judgement of answers |
 //! | `plan` | force plans, group by group, as constructed by hand |
 //! | `lever` | Zhukovsky's lever: the turned plan of velocities with the forces on it |
-//! | `friction`, `coulomb`, `bearing` | dry friction in hinges and slides, efficiency, self-locking; Coulomb's law for all pairs together; the sides on which a block bears |
-//! | `moving_friction` | friction where the drive is given and the acceleration is not |
+//! | `friction` | dry friction in hinges and slides, efficiency, self-locking |
 //! | `shaking` | shaking force and moment, counterweights of a four-bar |
-//! | `reduced` | moment of inertia and torque reduced to the input; energies |
-//! | `motor` | the torque of a motor by its speed |
-//! | `system`, `run` | the linkage as a system of one freedom; motion of the input in time |
-//! | `balance` | the work of the loads over a cycle, and the rate at which a drive does it |
-//! | `cycle`, `along` | the steady cycle: motion that repeats with the linkage |
-//! | `diagram`, `flywheel` | Wittenbauer's diagram; the flywheel for a wanted non-uniformity |
+//! | `under_load` | motion under load, the steady cycle and its flywheels |
 //!
 //! A body stands for a link with the links that are fixed to it; its reactions are those of all of them together.
 
-mod along;
 mod applied;
-mod balance;
-mod bearing;
 mod block;
-mod coulomb;
-mod cycle;
 mod defect;
-mod diagram;
 mod equilibrium;
-mod flywheel;
 mod free_body;
 mod friction;
 mod kinetostatics;
@@ -49,26 +36,19 @@ mod law;
 mod lever;
 mod loading;
 mod masses;
-mod motor;
-mod moving_friction;
 mod names;
 mod pair;
 mod plan;
 mod reactions;
-mod reduced;
-mod run;
 #[cfg(test)]
 mod samples;
 mod shaking;
 mod spec;
-mod system;
+mod under_load;
 
 pub use applied::{Applied, Source};
-pub use cycle::{CyclePoint, NoCycle, SteadyCycle};
 pub use defect::{Defect, Part};
-pub use diagram::{Diagram, DiagramPoint};
 pub use equilibrium::{Addend, Judged};
-pub use flywheel::{MAX_NON_UNIFORMITY, Mertsalov, Wittenbauer};
 pub use free_body::{Acting, Cause};
 pub use friction::Rubbing;
 pub use kinetostatics::{Kinetostatics, Unbalanced};
@@ -76,11 +56,12 @@ pub use law::{Harmonic, Law};
 pub use lever::{Lever, LeverTerm};
 pub use loading::Loading;
 pub use masses::LinkMass;
-pub use motor::Motor;
 pub use pair::{DriverId, Pair, PairId};
 pub use plan::{Component, ForceName, ForcePlan, PlanStep, StepKind, Term};
 pub use reactions::{Reaction, Reactions};
-pub use reduced::Reduced;
-pub use run::{Halt, NoRun, Reading, Run};
 pub use shaking::{Counterweight, counterweights};
 pub use spec::{AnchorSpec, DamperSpec, FrictionSpec, LoadSpec, LoadingSpec, SpringSpec};
+pub use under_load::{
+    CyclePoint, Diagram, DiagramPoint, Halt, MAX_NON_UNIFORMITY, Mertsalov, Motor, NoCycle, NoRun,
+    Reading, Reduced, Run, SteadyCycle, Wittenbauer,
+};

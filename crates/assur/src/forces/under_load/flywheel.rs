@@ -1,6 +1,6 @@
 //! The flywheel for a wanted non-uniformity of the cycle, by Wittenbauer and by Mertsalov.
 
-use super::{Diagram, DiagramPoint};
+use crate::forces::{Diagram, DiagramPoint};
 
 /// Greatest coefficient of non-uniformity for which a flywheel is sought: the rate varies by all of its mean value.
 pub const MAX_NON_UNIFORMITY: f64 = 1.0;

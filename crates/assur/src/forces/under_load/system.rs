@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::applied::relative;
-use super::loading::Spring;
-use super::moving_friction::{Driven, FrictionTorque, MovingFriction};
-use super::{Loading, Motor, NoCycle, NoRun, Reduced, Unbalanced};
+use crate::forces::applied::relative;
+use crate::forces::friction::{Driven, FrictionTorque, MovingFriction};
+use crate::forces::loading::Spring;
+use crate::forces::{Loading, Motor, NoCycle, NoRun, Reduced, Unbalanced};
 use crate::mechanism::{Pose, Unsolved};
 use crate::motion::Motion;
 use crate::numeric::gauss::Advance;

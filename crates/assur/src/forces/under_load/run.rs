@@ -1,8 +1,8 @@
 //! Motion under load: the input over time, with an account of the energy.
 
 use super::system::System;
-use super::{Defect, Loading, Motor, Unbalanced};
 use crate::angle::sum;
+use crate::forces::{Defect, Loading, Motor, Unbalanced};
 use crate::mechanism::Unsolved;
 use crate::motion::{DeadPoint, Motion};
 use crate::numeric::gauss::{Adaptive, Advance};
@@ -24,7 +24,7 @@ const TRIALS: usize = 6;
 /// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
 const SHORTEST: f64 = 1e-12;
 
-/// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`super::Reduced`]. The torque
+/// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`crate::forces::Reduced`]. The torque
 /// of dry friction depends on the reactions, and so on the acceleration; both are found together.
 ///
 /// The input is integrated by Gauss collocation with extrapolation. Works are integrated along, so their sum with the

@@ -2,12 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Reactions;
-use super::applied::{Applied, Source, relative, turning};
 use super::bearing::Bearing;
-use super::friction::{Friction, FrictionLaw};
-use super::kinetostatics::{Kinetostatics, Unbalanced};
-use super::pair::Kind;
+use super::{Friction, FrictionLaw};
+use crate::forces::Reactions;
+use crate::forces::applied::{Applied, Source, relative, turning};
+use crate::forces::kinetostatics::{Kinetostatics, Unbalanced};
+use crate::forces::pair::Kind;
 use crate::index::BodyId;
 use crate::mechanism::Guide;
 use crate::numeric::max_abs;
@@ -59,7 +59,7 @@ impl Sliding {
                 (pair.bodies, at, Vector::zeros(), by_input, 1.0)
             }
             Kind::Slide(guide) => {
-                let along = super::pair::heading(state, &guide);
+                let along = crate::forces::pair::heading(state, &guide);
                 let by_input = travel_rate(state, &guide, along);
                 let at = state.place(guide.at)[0];
                 let bodies = [guide.at.body, guide.on];
@@ -306,8 +306,8 @@ impl Kinetostatics {
 
 #[cfg(test)]
 mod tests {
-    use super::super::pair::PairId;
     use super::*;
+    use crate::forces::pair::PairId;
     use crate::index::Id;
 
     /// A slide with the normal force 10 + r F and the coefficient 0.5, so that F = −0.5 |10 + r F| for the speed 1.

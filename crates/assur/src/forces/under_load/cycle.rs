@@ -3,7 +3,7 @@
 use super::along::{Along, Reached};
 use super::balance::{balanced, period};
 use super::system::System;
-use super::{Loading, Motor, NoRun};
+use crate::forces::{Loading, Motor, NoRun};
 use crate::motion::{Motion, TooManyTurns};
 use crate::numeric::linear::solve;
 use crate::numeric::newton::{MAX_STEPS_FROM_DRAWING, is_exact, newton};

@@ -2,9 +2,9 @@
 
 use super::bearing::Bearing;
 use super::coulomb::{LOCKING, Law, Sliding};
-use super::kinetostatics::{Kinetostatics, Unbalanced};
-use super::pair::Wrench;
-use super::{Loading, Reactions};
+use crate::forces::kinetostatics::{Kinetostatics, Unbalanced};
+use crate::forces::pair::Wrench;
+use crate::forces::{Loading, Reactions};
 use crate::mechanism::{Mechanism, Pose};
 use crate::position::State;
 
@@ -13,7 +13,7 @@ use crate::position::State;
 /// Reactions depend linearly on the acceleration and on the friction. The torque of the drive is given, so it determines
 /// the acceleration for any friction, and Coulomb's law determines the friction.
 #[derive(Clone, Debug)]
-pub(super) struct MovingFriction {
+pub(in crate::forces) struct MovingFriction {
     forces: Kinetostatics,
     /// How each pair with friction slides; the same within a step of integration, so that the forces are smooth.
     contacts: Vec<SlidingContact>,
@@ -32,16 +32,16 @@ struct SlidingContact {
 
 /// Torque of the friction on the input, with its derivatives by the rate and by the torque of the drive.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FrictionTorque {
+pub(in crate::forces) struct FrictionTorque {
     /// Distance from a change of a contact, relative to the speeds and forces of the linkage; negative beyond it.
-    pub(super) margin: f64,
-    pub(super) torque: f64,
-    pub(super) by_rate: f64,
-    pub(super) by_drive: f64,
+    pub(in crate::forces) margin: f64,
+    pub(in crate::forces) torque: f64,
+    pub(in crate::forces) by_rate: f64,
+    pub(in crate::forces) by_drive: f64,
 }
 
 impl FrictionTorque {
-    pub(super) const NONE: Self = Self {
+    pub(in crate::forces) const NONE: Self = Self {
         margin: f64::INFINITY,
         torque: 0.0,
         by_rate: 0.0,
@@ -51,12 +51,12 @@ impl FrictionTorque {
 
 /// Motion of the input, and the torque of the drive.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Driven {
-    pub(super) input: f64,
-    pub(super) rate: f64,
+pub(in crate::forces) struct Driven {
+    pub(in crate::forces) input: f64,
+    pub(in crate::forces) rate: f64,
     /// Sense of the rate, also where it is zero.
-    pub(super) sense: f64,
-    pub(super) drive: f64,
+    pub(in crate::forces) sense: f64,
+    pub(in crate::forces) drive: f64,
 }
 
 /// Components of reactions in a pose at a given torque of the drive.
@@ -83,7 +83,7 @@ impl Components {
 
 impl MovingFriction {
     /// None if no pair has friction.
-    pub(super) fn new(mechanism: &Mechanism, loading: &Loading) -> Option<Self> {
+    pub(in crate::forces) fn new(mechanism: &Mechanism, loading: &Loading) -> Option<Self> {
         loading.has_friction().then(|| Self {
             forces: Kinetostatics::new(mechanism),
             contacts: vec![SlidingContact::default(); loading.friction.len()],
@@ -92,12 +92,12 @@ impl MovingFriction {
     }
 
     /// Forgets all contacts.
-    pub(super) fn release(&mut self) {
+    pub(in crate::forces) fn release(&mut self) {
         self.contacts.fill(SlidingContact::default());
     }
 
     /// Takes from a pose the senses of the pairs that move there and have none yet; true if all have one.
-    pub(super) fn take_senses(&mut self, loading: &Loading, state: &State<3>) -> bool {
+    pub(in crate::forces) fn take_senses(&mut self, loading: &Loading, state: &State<3>) -> bool {
         for (contact, of) in self.contacts.iter_mut().zip(&loading.friction) {
             if contact.sense == 0.0 {
                 let sliding = Sliding::new(&self.forces, *of, state);
@@ -108,7 +108,12 @@ impl MovingFriction {
     }
 
     /// Takes the bearings of slides from the reactions in a pose; they stay unknown if the friction is not found there.
-    pub(super) fn take_bearings(&mut self, loading: &Loading, state: &State<3>, at: Driven) {
+    pub(in crate::forces) fn take_bearings(
+        &mut self,
+        loading: &Loading,
+        state: &State<3>,
+        at: Driven,
+    ) {
         let Ok(components) = self.components(loading, state, at) else {
             return;
         };
@@ -128,7 +133,7 @@ impl MovingFriction {
     ///
     /// # Errors
     /// Those of [`Kinetostatics::reactions`].
-    pub(super) fn at_rate(
+    pub(in crate::forces) fn at_rate(
         &mut self,
         loading: &Loading,
         pose: &Pose<3>,
@@ -147,7 +152,7 @@ impl MovingFriction {
     /// # Errors
     /// Those of [`Kinetostatics::reactions`]. The linkage counts as locked already where its friction begins to grow without
     /// bound: its motion there is that of a moment, and the steps would become ever shorter.
-    pub(super) fn torque(
+    pub(in crate::forces) fn torque(
         &mut self,
         loading: &Loading,
         state: &State<3>,

@@ -2,7 +2,7 @@
 
 use super::balance::{Balance, balanced, interval, work};
 use super::system::System;
-use super::{Loading, Motor, NoCycle};
+use crate::forces::{Loading, Motor, NoCycle};
 use crate::motion::Motion;
 use crate::numeric::roots::bisect;
 use crate::tolerance;
@@ -36,7 +36,7 @@ pub struct DiagramPoint {
 
 impl Diagram {
     /// The diagram of a linkage with a motor, near a rate; or without a motor, with a constant torque at a given mean
-    /// rate, see [`super::SteadyCycle::new`].
+    /// rate, see [`crate::forces::SteadyCycle::new`].
     ///
     /// # Errors
     /// The reason why there is no cycle.

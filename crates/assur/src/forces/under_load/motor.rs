@@ -1,6 +1,6 @@
 //! The motor of the first driver: its torque by its speed.
 
-use super::{Defect, Part};
+use crate::forces::{Defect, Part};
 use crate::tolerance::{self, FARTHEST};
 
 /// Torque of the motor on the driven link by the rate ω of its coordinate; a force if a slide is driven.

@@ -1,6 +1,18 @@
 //! Dry friction in hinges and slides: friction circles, losses and efficiency.
+//!
+//! | file | subject |
+//! |---|---|
+//! | `coulomb` | Coulomb's law for all pairs together |
+//! | `bearing` | the sides on which a block bears |
+//! | `moving_friction` | friction where the drive is given and the acceleration is not |
 
-use super::coulomb::{Law, Sliding};
+mod bearing;
+mod coulomb;
+mod moving_friction;
+
+pub(super) use moving_friction::{Driven, FrictionTorque, MovingFriction};
+
+use self::coulomb::{Law, Sliding};
 use super::kinetostatics::{Kinetostatics, Unbalanced};
 use super::pair::PairId;
 use super::{Loading, Reactions};

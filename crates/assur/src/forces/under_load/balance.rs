@@ -1,7 +1,7 @@
 //! The work of the loads over a cycle, by the rate, and the rate at which a drive does it.
 
 use super::system::System;
-use super::{Loading, Motor, NoCycle, NoRun};
+use crate::forces::{Loading, Motor, NoCycle, NoRun};
 use crate::motion::Motion;
 use crate::numeric::gauss::{B, C};
 use crate::numeric::roots::bisect;

@@ -1,9 +1,9 @@
 //! Quantities reduced to the input: the linkage moves as one body with a moment of inertia that depends on its angle.
 
-use super::Loading;
-use super::applied::{directed, relative, stretched, turning};
-use super::loading::{Damper, Load, Spring};
 use crate::Vector;
+use crate::forces::Loading;
+use crate::forces::applied::{directed, relative, stretched, turning};
+use crate::forces::loading::{Damper, Load, Spring};
 use crate::mechanism::{Mechanism, Pose};
 use crate::position::State;
 
