@@ -2,6 +2,7 @@
 //! docs/file-format.md describes it field by field.
 
 mod check;
+mod dimension;
 mod forces;
 mod moved;
 mod problem;
@@ -15,12 +16,13 @@ use super::draft::DraftDocument;
 use super::numbers::{self, NumberField};
 use super::{Document, Kind};
 use crate::{Field, LengthUnit, Problem, catalogue};
+pub use dimension::{dimension_field, in_field, of_field, rate_field};
 pub use forces::{
     AnchorDocument, DamperDocument, ForceUnits, FrictionDocument, HarmonicDocument, LoadDocument,
     MotorDocument, SpringDocument,
 };
 pub use moved::is_of_forces;
-pub use problem::{LinkageProblem, dimension_field, in_field, of_field, rate_field};
+pub use problem::LinkageProblem;
 
 /// A linkage. Its parts refer to each other by name, and all lengths are in one unit. Unknown keys are refused:
 /// otherwise a misspelt key would silently drop a part.
