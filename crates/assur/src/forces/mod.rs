@@ -62,6 +62,7 @@ pub use reactions::{Reaction, Reactions};
 pub use shaking::{Counterweight, counterweights};
 pub use spec::{AnchorSpec, DamperSpec, FrictionSpec, LoadSpec, LoadingSpec, SpringSpec};
 pub use under_load::{
-    CyclePoint, Diagram, DiagramPoint, Halt, MAX_NON_UNIFORMITY, Mertsalov, Motor, NoCycle, NoRun,
-    Reading, Reduced, Run, SteadyCycle, Wittenbauer,
+    Actuator, Blocked, CyclePoint, Diagram, DiagramPoint, Halt, LagrangeReading, LagrangeRun,
+    MAX_NON_UNIFORMITY, Mertsalov, Motor, NoCycle, NoRun, Reading, Reduced, Run, SteadyCycle,
+    Wittenbauer,
 };

@@ -39,10 +39,9 @@ impl Configuration {
 
     /// The configuration with the orientations and unknowns of a state.
     pub(super) fn posed<const N: usize>(self, state: &State<N>) -> Self {
-        let places = state.natural.iter().map(|place| place.value());
         Self {
             orientations: state.orientations(),
-            natural: places.flat_map(|place| [place.x, place.y]).collect(),
+            natural: state.natural_values().collect(),
             ..self
         }
     }

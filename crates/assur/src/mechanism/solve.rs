@@ -15,7 +15,7 @@ impl Layout {
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
         let steps = self.steps.enumerate();
-        solve(steps, input, signs, at.near(), &at.mounting, state)
+        solve_steps(steps, input, signs, at.near(), &at.mounting, state)
     }
 
     /// Solves a step at the input of a configuration.
@@ -47,7 +47,7 @@ impl Mechanism {
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
         let steps = self.steps().enumerate();
-        solve(steps, input, signs, near, self.mounting(), state)
+        solve_steps(steps, input, signs, near, self.mounting(), state)
     }
 
     /// Solves every step before a given step for an input.
@@ -60,7 +60,7 @@ impl Mechanism {
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
         let steps = self.steps().enumerate().take(end.index());
-        solve(steps, input, signs, near, self.mounting(), state)
+        solve_steps(steps, input, signs, near, self.mounting(), state)
     }
 
     /// An enclosure for certifying steps of the motion.
@@ -87,8 +87,12 @@ impl Mechanism {
     }
 }
 
+/// Solves given steps of a plan in order for an input.
+///
+/// # Errors
+/// The step that fails, and the cause.
 #[inline(always)]
-fn solve<'a, const N: usize>(
+pub(crate) fn solve_steps<'a, const N: usize>(
     steps: impl Iterator<Item = (StepId, &'a Step)>,
     input: f64,
     signs: &AssemblySigns,

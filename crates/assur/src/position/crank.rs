@@ -67,7 +67,7 @@ mod tests {
             hinge: Vector::zeros(),
             joint: PointId::at(0),
             angle_offset: 0.0,
-            law: DriveLaw { rate, offset: 0.0 },
+            law: DriveLaw::through(0, rate, [0.0; 2]),
         };
         place(&Step::from(crank), Sign::Plus, at(2, 1.0, 0.0))
     }

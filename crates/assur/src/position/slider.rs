@@ -93,7 +93,7 @@ mod tests {
     /// The coordinate is twice the input less 1, and the point is 3 to the left of the line.
     #[test]
     fn a_slide_on_the_frame_moves_straight() {
-        let law = DriveLaw::through(2.0, [0.0, -1.0]);
+        let law = DriveLaw::through(0, 2.0, [0.0, -1.0]);
         let coordinate = std::f64::consts::PI - 1.0;
         check(
             slider(0, law, 3.0),
@@ -101,10 +101,11 @@ mod tests {
         );
     }
 
-    /// A law with the rate −2 and the coordinate 5 at the input 1 gives the coordinate 1 at the input 3.
+    /// A law with the rate −2 and the coordinate 5 at the input 1 gives the coordinate 1 at the input 3. Along a line
+    /// from the coordinate 4 at the rate 3 it gives 10 at the input 2, and the opposite law −10.
     #[test]
     fn the_law_of_a_drive_is_linear() {
-        let law = DriveLaw::through(-2.0, [1.0, 5.0]);
+        let law = DriveLaw::through(1, -2.0, [1.0, 5.0]);
         let at = law.at(Jet::<3>::linear(3.0, 1.0));
         assert_eq!(
             [0, 1, 2].map(|order| at.derivative(order)),
@@ -112,5 +113,10 @@ mod tests {
         );
         let back = law.reversed().at(Jet::<2>::linear(3.0, 1.0));
         assert_eq!([0, 1].map(|order| back.derivative(order)), [-1.0, 2.0]);
+        assert_eq!(law.reversed().coordinate(3.0), (1, 1.0));
+        for (mut law, expected) in [(law, 10.0), (law.reversed(), -10.0)] {
+            law.follow(&[0.0, 4.0], &[0.0, 3.0]);
+            assert_eq!(law.at(Jet::<1>::constant(2.0)).value(), expected);
+        }
     }
 }

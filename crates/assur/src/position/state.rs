@@ -203,6 +203,12 @@ impl<const N: usize> State<N> {
         }
     }
 
+    /// Values of the unknowns of all groups, real and imaginary parts.
+    pub(crate) fn natural_values(&self) -> impl Iterator<Item = f64> {
+        let places = self.natural.iter().map(|place| place.value());
+        places.flat_map(|place| [place.x, place.y])
+    }
+
     pub(crate) fn orientations(&self) -> List<BodyId, Orientation> {
         self.bodies
             .ids()

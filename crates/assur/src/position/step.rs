@@ -2,8 +2,8 @@
 
 use super::margin::root;
 use super::{
-    Cause, Complex, Crank, CrankFourBar, Dead, Enclosure, EpicyclicStep, Group, Nearby, Predictor,
-    Prp, Rpp, Rpr, Rrp, Rrr, Singularity, Slider, SmoothRoot, State,
+    Cause, Complex, Crank, CrankFourBar, Dead, DriveLaw, Enclosure, EpicyclicStep, Group, Nearby,
+    Predictor, Prp, Rpp, Rpr, Rrp, Rrr, Singularity, Slider, SmoothRoot, State,
 };
 use crate::index::{BodyId, List, StepId};
 use crate::{Jet, Vector, tolerance};
@@ -221,6 +221,16 @@ impl Step {
 
     pub(crate) fn depends_on(&self, body: BodyId) -> bool {
         ask!(self, kind => kind.depends_on(body))
+    }
+
+    /// Laws of the drivers of the step.
+    pub(crate) fn laws_mut(&mut self) -> Vec<&mut DriveLaw> {
+        match self {
+            Self::Crank(crank) => vec![&mut crank.law],
+            Self::Slider(slider) => vec![&mut slider.law],
+            Self::Group(group) => group.laws_mut().collect(),
+            _ => Vec::new(),
+        }
     }
 
     /// True if the step has redundant constraints.

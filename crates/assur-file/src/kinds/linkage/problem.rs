@@ -227,6 +227,8 @@ pub enum LinkageProblem {
     SelfLocking,
     /// A motion under load of a linkage with several drivers.
     RunSeveralDrivers,
+    /// Dry friction in a motion under load of a linkage with several drivers.
+    RunFriction,
     /// A motion under load of links without mass.
     RunNoInertia,
     /// A spring between two links of which one turns fully relative to the other.

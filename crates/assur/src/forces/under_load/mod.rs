@@ -1,10 +1,11 @@
-//! Motion of a linkage under its loads, as a system of one freedom.
+//! Motion of a linkage under its loads: of one freedom, or of several.
 //!
 //! | file | subject |
 //! |---|---|
 //! | `reduced` | moment of inertia and torque reduced to the input; energies |
 //! | `motor` | the torque of a motor by its speed |
 //! | `system`, `run` | the linkage as a system of one freedom; motion of the input in time |
+//! | `lagrange`, `lagrange_run` | Lagrange's equations of several freedoms; their motion in time |
 //! | `balance` | the work of the loads over a cycle, and the rate at which a drive does it |
 //! | `cycle`, `along` | the steady cycle: motion that repeats with the linkage |
 //! | `diagram`, `flywheel` | Wittenbauer's diagram; the flywheel for a wanted non-uniformity |
@@ -14,6 +15,8 @@ mod balance;
 mod cycle;
 mod diagram;
 mod flywheel;
+mod lagrange;
+mod lagrange_run;
 mod motor;
 mod reduced;
 mod run;
@@ -22,6 +25,7 @@ mod system;
 pub use cycle::{CyclePoint, NoCycle, SteadyCycle};
 pub use diagram::{Diagram, DiagramPoint};
 pub use flywheel::{MAX_NON_UNIFORMITY, Mertsalov, Wittenbauer};
+pub use lagrange_run::{Actuator, Blocked, LagrangeReading, LagrangeRun};
 pub use motor::Motor;
 pub use reduced::Reduced;
 pub use run::{Halt, NoRun, Reading, Run};

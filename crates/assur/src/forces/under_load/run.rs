@@ -9,7 +9,7 @@ use crate::numeric::gauss::{Adaptive, Advance};
 use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to a radian of the input.
-const ERROR: f64 = 1e-13;
+pub(super) const ERROR: f64 = 1e-13;
 
 /// Distance from an end of the motion, in radians of the input, at which a run ends. There the reduced inertia, which is
 /// inversely proportional to the distance from a dead point, has half of its digits.
@@ -19,10 +19,10 @@ const AT_END: f64 = tolerance::COINCIDENT;
 const REST: f64 = 1e-4;
 
 /// Most trials for a step that ends at a knot of a table.
-const TRIALS: usize = 6;
+pub(super) const TRIALS: usize = 6;
 
 /// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
-const SHORTEST: f64 = 1e-12;
+pub(super) const SHORTEST: f64 = 1e-12;
 
 /// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`crate::forces::Reduced`]. The torque
 /// of dry friction depends on the reactions, and so on the acceleration; both are found together.
@@ -80,8 +80,10 @@ pub struct Reading {
 pub enum NoRun {
     /// A defect of the motor.
     Motor(Defect),
-    /// More than one driver. Only one freedom is integrated.
+    /// More drivers than are integrated.
     SeveralDrivers,
+    /// Dry friction in a linkage of several drivers.
+    Friction,
     /// The start has no pose.
     Start(Unsolved),
     /// The rate at the start is not finite or too large.
@@ -333,7 +335,7 @@ impl Run {
 }
 
 /// A sum whose rounding error goes into `rest`.
-fn add(rest: &mut f64, to: f64, more: f64) -> f64 {
+pub(super) fn add(rest: &mut f64, to: f64, more: f64) -> f64 {
     let (total, lost) = sum(to, *rest + more);
     *rest = lost;
     total

@@ -99,12 +99,16 @@ pub(in crate::mechanism) fn plan(
     for part in &structure.steps {
         let step = match part {
             structure::Step::Driver { driver, links } => {
-                let first = *driver == 0;
-                let driver = &spec.drivers[*driver];
+                let (index, first) = (*driver, *driver == 0);
+                let driver = &spec.drivers[index];
                 let course = if first {
                     DriveLaw::FIRST
                 } else {
-                    DriveLaw::through(driver.rate(), [drawn_input, placed.drawn(spec, driver)])
+                    DriveLaw::through(
+                        index,
+                        driver.rate(),
+                        [drawn_input, placed.drawn(spec, driver)],
+                    )
                 };
                 if let (true, Driver::Slide { range, .. }) = (first, driver) {
                     plan.range = Some(*range);

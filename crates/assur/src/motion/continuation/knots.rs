@@ -9,7 +9,7 @@ use crate::sorting::sort_by;
 use crate::{Cycle, Vector, tolerance};
 
 /// Maximum angle, in radians, through which a body may turn from knot to knot, so that whole turns can be counted.
-pub(super) const MAX_TURN: f64 = 1.0;
+pub(in crate::motion) const MAX_TURN: f64 = 1.0;
 /// Maximum ratio of the lengths of two merged intervals. The interpolation error is greatest near the middle of the
 /// merged interval, so the error is tested at a knot near the middle.
 const MAX_INTERVAL_RATIO: f64 = 2.5;

@@ -8,14 +8,13 @@ mod hermite;
 mod knots;
 mod obstacle;
 
-pub(super) use knots::Knots;
+pub(super) use knots::{Knots, MAX_TURN};
 
 use super::{DeadPoint, DeadPointKind, SAMPLES_PER_TURN};
 use crate::index::{BodyId, List, StepId};
 use crate::mechanism::{AssemblySigns, Cause, Mechanism, NEVER};
 use crate::position::{Enclosure, Nearby, Orientation, Predictor, SmoothRoot, State, Step};
 use crate::{Jet, tolerance};
-use knots::MAX_TURN;
 
 /// Number of successful steps before a longer one is tried. More frequent trials would take longer in total, because a
 /// failed step costs as much as a successful one.
@@ -66,7 +65,7 @@ pub(super) struct Continuation<'a> {
 }
 
 /// Pose predicted by Taylor series.
-struct Prediction<'a> {
+pub(super) struct Prediction<'a> {
     orientations: &'a List<BodyId, Orientation>,
     natural: Vec<f64>,
 }
@@ -74,7 +73,11 @@ struct Prediction<'a> {
 impl<'a> Prediction<'a> {
     /// Predicts the pose at the distance `width` from here. The orientations are kept: in a certified step no body
     /// makes half a turn, so the whole turns still follow from them.
-    fn of(here: &Predictor, orientations: &'a List<BodyId, Orientation>, width: f64) -> Self {
+    pub(super) fn of(
+        here: &Predictor,
+        orientations: &'a List<BodyId, Orientation>,
+        width: f64,
+    ) -> Self {
         let value = |jet: Jet<4>| {
             let orders = (0..4).rev();
             orders.fold(0.0, |sum, order| sum * width + jet.coefficient(order))
@@ -87,7 +90,7 @@ impl<'a> Prediction<'a> {
         }
     }
 
-    fn near<'b>(&'b self, smooth_roots: &'b [SmoothRoot]) -> Nearby<'b> {
+    pub(super) fn near<'b>(&'b self, smooth_roots: &'b [SmoothRoot]) -> Nearby<'b> {
         Nearby {
             orientations: self.orientations,
             natural: &self.natural,

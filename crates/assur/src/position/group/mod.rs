@@ -23,7 +23,7 @@ use crate::index::{BodyId, StepId};
 use crate::numeric::elimination::Elimination;
 use crate::position::step::finite;
 use crate::position::{
-    BodyPoint, Cause, Enclosure, Nearby, Predictor, Solvable, State, StepContext,
+    BodyPoint, Cause, DriveLaw, Enclosure, Nearby, Predictor, Solvable, State, StepContext,
 };
 use equation::MAX_FORMS;
 
@@ -234,6 +234,12 @@ impl Group {
         let constraints = self.angle_constraints.iter();
         let known = constraints.flat_map(|constraint| &constraint.known);
         known.map(|(body, _)| *body)
+    }
+
+    /// Laws of the drivers within the group.
+    pub(crate) fn laws_mut(&mut self) -> impl Iterator<Item = &mut DriveLaw> {
+        let drives = self.angle_constraints.iter_mut();
+        drives.filter_map(|constraint| Some(&mut constraint.drive.as_mut()?.law))
     }
 
     /// Adopts the elimination order of the last Jacobian in `state`.

@@ -322,6 +322,7 @@ impl LinkageProblem {
         match reason {
             NoRun::Motor(defect) => Self::of_forces(defect),
             NoRun::SeveralDrivers => Self::RunSeveralDrivers,
+            NoRun::Friction => Self::RunFriction,
             NoRun::Start(unsolved) => Self::unsolved(unsolved, mechanism),
             NoRun::Rate => Self::ForceNoNumber {
                 path: "initial_rate".to_owned(),

@@ -1,0 +1,397 @@
+//! Motion under load of a linkage of several freedoms.
+
+use super::lagrange::{Coordinates, FREEDOMS, Freedoms, Lagrange};
+use super::{Motor, NoRun};
+use crate::forces::Loading;
+use crate::mechanism::{Pose, Unsolved};
+use crate::motion::Motion;
+use crate::numeric::gauss::{Adaptive, Advance};
+use crate::tolerance;
+
+use super::run::{ERROR, SHORTEST, TRIALS, add};
+
+/// Coordinates of the drivers, with the work and the lost energy.
+const WIDTH: usize = FREEDOMS + 2;
+
+/// What moves a driver of a linkage of several freedoms under load.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Actuator {
+    /// A motor, whose torque depends on the rate of the driver; [`Motor::NONE`] for a free one.
+    Motor(Motor),
+    /// A drive that keeps the rate of the driver, whatever its torque; at the rate zero it holds the driver.
+    Rate,
+}
+
+/// Motion of a linkage of several drivers under its loads, by Lagrange's equations M(q) q̈ = Q(q, q̇): the angle of each
+/// crank and the travel of each driven slide is a coordinate of its own. Dry friction is not integrated.
+///
+/// Each step is certified like those of [`Motion`], so the assembly does not change.
+///
+/// ```
+/// use assur::forces::{Actuator, LagrangeRun, Loading, LoadingSpec, Motor};
+/// use assur::linkage::{DriverSpec, LinkageSpec};
+/// use assur::{Vector, mechanism::Mechanism, motion::Motion};
+///
+/// // A double pendulum of two uniform bars of 1 m and 1 kg each, released with the first bar level.
+/// let mut pendulum = LinkageSpec::default()
+///     .point("O", 0.0, 0.0).point("A", 1.0, 0.0).point("B", 2.0, 0.0)
+///     .fixed(&["O"]).bar("upper", &["O", "A"]).bar("lower", &["A", "B"])
+///     .crank("upper");
+/// let (link, base, rate) = ("lower".to_owned(), "upper".to_owned(), 1.0);
+/// pendulum.drivers.push(DriverSpec::Crank { link, base, rate });
+/// for link in &mut pendulum.links {
+///     link.mass = Some(1.0);
+/// }
+/// let mechanism = Mechanism::new(&pendulum).unwrap();
+/// let gravity = LoadingSpec { gravity: Vector::new(0.0, -9.81), ..LoadingSpec::default() };
+/// let loading = Loading::new(&mechanism, &gravity).unwrap();
+/// let free = [Actuator::Motor(Motor::NONE), Actuator::Motor(Motor::NONE)];
+/// let motion = Motion::new(mechanism);
+/// let mut run = LagrangeRun::new(&motion, &loading, &free, 0.0, &[0.0, 0.0]).unwrap();
+/// run.advance(1.0).unwrap();
+/// let now = run.reading();
+/// assert!((now.kinetic + now.potential).abs() < 1e-9);
+/// ```
+#[derive(Clone, Debug)]
+pub struct LagrangeRun {
+    freedoms: Freedoms,
+    actuators: Vec<Actuator>,
+    time: f64,
+    at: Coordinates,
+    rates: Coordinates,
+    /// Rounding errors of the coordinates and of the rates.
+    rest: [Coordinates; 2],
+    work: f64,
+    lost: f64,
+    steps: Adaptive<WIDTH>,
+    /// Kinetic and potential energy at the start.
+    opening: f64,
+}
+
+/// State of a run at a time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LagrangeReading {
+    /// Time since the start.
+    pub time: f64,
+    /// Coordinates of the drivers; angles of cranks are not reduced to a turn.
+    pub coordinates: Vec<f64>,
+    /// Their rates.
+    pub rates: Vec<f64>,
+    /// Their accelerations.
+    pub accelerations: Vec<f64>,
+    /// Torques of the drives; forces of driven slides.
+    pub torques: Vec<f64>,
+    /// Kinetic energy.
+    pub kinetic: f64,
+    /// Potential energy of gravity and springs.
+    pub potential: f64,
+    /// Work of the drives and of the given forces and torques since the start.
+    pub work: f64,
+    /// Energy lost in resistances and dampers since the start.
+    pub lost: f64,
+}
+
+/// End of a run of several freedoms: a singular pose, or the end of the range of a driven slide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blocked {
+    /// Time of the last pose.
+    pub time: f64,
+    /// The reason why there is no pose beyond.
+    pub unsolved: Unsolved,
+}
+
+/// Accelerations and torques under the drives.
+struct Driven {
+    equations: Lagrange,
+    accelerations: Coordinates,
+    torques: Coordinates,
+}
+
+impl LagrangeRun {
+    /// Run from an input of a motion at rates of the drivers, at time zero.
+    ///
+    /// # Errors
+    /// The reason why there is none.
+    ///
+    /// # Panics
+    /// If there is not one actuator and one rate for each driver.
+    pub fn new(
+        motion: &Motion,
+        loading: &Loading,
+        actuators: &[Actuator],
+        input: f64,
+        rates: &[f64],
+    ) -> Result<Self, NoRun> {
+        let count = motion.mechanism().spec().drivers.len();
+        assert_eq!(
+            [actuators.len(), rates.len()],
+            [count; 2],
+            "one for each driver"
+        );
+        for actuator in actuators {
+            if let Actuator::Motor(motor) = actuator {
+                motor.check().map_err(NoRun::Motor)?;
+            }
+        }
+        let possible = -tolerance::FARTHEST..=tolerance::FARTHEST;
+        if !rates.iter().all(|rate| possible.contains(rate)) {
+            return Err(NoRun::Rate);
+        }
+        let held = actuators.iter().map(|one| *one == Actuator::Rate);
+        let freedoms = Freedoms::new(motion, loading, held.collect(), input)?;
+        let mut all = Coordinates::zeros();
+        for (index, rate) in rates.iter().enumerate() {
+            all[index] = rate / freedoms.units[index];
+        }
+        let mut run = Self {
+            at: freedoms.coordinates(),
+            rates: all,
+            rest: [Coordinates::zeros(); 2],
+            time: 0.0,
+            work: 0.0,
+            lost: 0.0,
+            steps: Adaptive::new(0.01),
+            opening: 0.0,
+            actuators: actuators.to_vec(),
+            freedoms,
+        };
+        let (at, rates) = (run.at, run.rates);
+        let found = run.driven(&at, &rates).map_err(NoRun::Start)?;
+        let found = found.ok_or(NoRun::NoInertia)?;
+        run.opening = found.equations.along.kinetic(1.0) + found.equations.along.potential;
+        // A first guess: the time in which a coordinate moves by a hundredth of its unit.
+        let speed = run.scale(&found.accelerations);
+        if speed > 0.0 {
+            run.steps = Adaptive::new(0.01 / speed);
+        }
+        Ok(run)
+    }
+
+    /// The equations at coordinates and rates, solved; None inside if nothing with a mass moves.
+    fn driven(
+        &mut self,
+        at: &Coordinates,
+        rates: &Coordinates,
+    ) -> Result<Option<Driven>, Unsolved> {
+        let equations = self.freedoms.equations(at, rates)?;
+        let mut torques = Coordinates::zeros();
+        for (index, actuator) in self.actuators.iter().enumerate() {
+            if let Actuator::Motor(motor) = actuator {
+                // The unit of a coordinate is that of its virtual work.
+                let unit = self.freedoms.units[index];
+                torques[index] = motor.torque(rates[index] * unit)[0] * unit;
+            }
+        }
+        let found = equations.accelerations(&self.freedoms.held, &torques);
+        Ok(found.map(|accelerations| {
+            let needed = equations.torques(&accelerations);
+            for index in 0..self.actuators.len() {
+                if self.freedoms.held[index] {
+                    torques[index] = needed[index];
+                }
+            }
+            Driven {
+                equations,
+                accelerations,
+                torques,
+            }
+        }))
+    }
+
+    /// Rate at which the coordinates move by their units, also from rest.
+    fn scale(&self, accelerations: &Coordinates) -> f64 {
+        self.rates.amax() + accelerations.amax().sqrt()
+    }
+
+    /// The motion from which the run began.
+    pub fn mechanism(&self) -> &crate::mechanism::Mechanism {
+        self.freedoms.mechanism()
+    }
+
+    /// Writes the current pose, with derivatives with respect to time.
+    ///
+    /// # Errors
+    /// The derivatives are not bounded.
+    pub fn place<const N: usize>(&mut self, pose: &mut Pose<N>) -> Result<(), Unsolved> {
+        let [at, along] = [&self.at, &self.rates].map(|values| self.freedoms.own(values));
+        self.freedoms.drivers.place([&at, &along], pose)
+    }
+
+    /// The state at the current time.
+    pub fn reading(&mut self) -> LagrangeReading {
+        let (at, rates) = (self.at, self.rates);
+        // Steps are taken only between poses with accelerations.
+        let found = self.driven(&at, &rates).ok().flatten();
+        let (accelerations, torques, along) = match found {
+            Some(found) => (found.accelerations, found.torques, found.equations.along),
+            None => Default::default(),
+        };
+        let own = |values: &Coordinates| self.freedoms.own(values);
+        LagrangeReading {
+            time: self.time,
+            coordinates: own(&at),
+            rates: own(&rates),
+            accelerations: own(&accelerations),
+            torques: own(&torques.component_div(&self.freedoms.units.map(|unit| unit * unit))),
+            kinetic: along.kinetic(1.0),
+            potential: along.potential,
+            work: self.work,
+            lost: self.lost,
+        }
+    }
+
+    /// Excess of the energy over what the account says, in units of energy: the error of the integration.
+    pub fn imbalance(&mut self) -> f64 {
+        let now = self.reading();
+        now.kinetic + now.potential - self.opening - now.work + now.lost
+    }
+
+    /// Advances to a time.
+    ///
+    /// # Errors
+    /// The run ends before. It stays at its last moment.
+    pub fn advance(&mut self, time: f64) -> Result<(), Blocked> {
+        while self.time < time {
+            let step = self.step(time - self.time);
+            step.map_err(|unsolved| Blocked {
+                time: self.time,
+                unsolved,
+            })?;
+            // The last step ends at the time itself, not within rounding of it.
+            if time - self.time <= 4.0 * f64::EPSILON * time.abs() {
+                self.time = time;
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes a step of at most a given length.
+    fn step(&mut self, most: f64) -> Result<(), Unsolved> {
+        let (at, rates) = (self.at, self.rates);
+        let mut fault = None;
+        let Some(here) = self.driven(&at, &rates)? else {
+            return Err(self.singular());
+        };
+        let scale = self.scale(&here.accelerations);
+        let (least, momentum) = if scale > 0.0 {
+            let momentum = here.equations.inertia.diagonal().amax() * scale;
+            (SHORTEST / scale, momentum)
+        } else {
+            (0.0, 1.0)
+        };
+        let mut start = [0.0; WIDTH];
+        start[..FREEDOMS].copy_from_slice(rates.as_slice());
+        let (before, rest) = (self.steps, self.rest[0]);
+        let mut most = most;
+        let mut tries = 0;
+        loop {
+            let mut steps = before;
+            let trial = steps.step(
+                [most, least.min(most)],
+                &start,
+                |moment| {
+                    let at =
+                        at + (rest + Coordinates::from_column_slice(&moment.moved[..FREEDOMS]));
+                    let rates = Coordinates::from_column_slice(&moment.rates[..FREEDOMS]);
+                    match self.driven(&at, &rates) {
+                        Ok(Some(found)) => powers(&found, &rates, momentum),
+                        Ok(None) => [f64::NAN; WIDTH],
+                        Err(unsolved) => {
+                            fault = Some(unsolved);
+                            [f64::NAN; WIDTH]
+                        }
+                    }
+                },
+                |[moved, gained]| {
+                    let greatest = |values: [f64; WIDTH]| {
+                        let values = values[..FREEDOMS].iter();
+                        values.fold(0.0_f64, |most, value| most.max(value.abs()))
+                    };
+                    let speed = if scale > 0.0 { scale } else { 1.0 };
+                    greatest(moved).max(greatest(gained) / speed) / ERROR
+                },
+            );
+            let Some(advance) = trial else {
+                return Err(fault.unwrap_or_else(|| self.singular()));
+            };
+            // A step beyond a knot of a table would not see it if no stage is behind it: it ends at the knot.
+            if let Some(part) = self.part_to_knot(&advance)
+                && tries < TRIALS
+            {
+                tries += 1;
+                most = advance.length * part;
+                continue;
+            }
+            let mut next = at;
+            let mut left = rest;
+            for index in 0..FREEDOMS {
+                next[index] = add(&mut left[index], at[index], advance.moved[index]);
+            }
+            let to = self.freedoms.own(&next);
+            if let Err(unsolved) = self.freedoms.drivers.move_to(&to) {
+                most = 0.5 * advance.length;
+                if most < least {
+                    return Err(unsolved);
+                }
+                continue;
+            }
+            (self.steps, self.at, self.rest[0]) = (steps, next, left);
+            for index in 0..self.actuators.len() {
+                // A rate that is kept has no rounding errors.
+                if !self.freedoms.held[index] {
+                    let rest = &mut self.rest[1][index];
+                    self.rates[index] = add(rest, rates[index], advance.gained[index]);
+                }
+            }
+            self.work += momentum * advance.gained[FREEDOMS];
+            self.lost += momentum * advance.gained[FREEDOMS + 1];
+            self.time += advance.length;
+            return Ok(());
+        }
+    }
+
+    /// Part of a step up to the first knot of a table that it passes.
+    fn part_to_knot(&self, advance: &Advance<WIDTH>) -> Option<f64> {
+        let (from, by) = (self.at[0], advance.moved[0]);
+        let unit = self.freedoms.units[0];
+        let parts = self.freedoms.loading.knots().map(|knot| {
+            let way = knot / unit - from;
+            // The tables of a crank repeat each turn.
+            let way = if self.freedoms.loading.turns {
+                by.signum() * (by.signum() * way).rem_euclid(std::f64::consts::TAU)
+            } else {
+                way
+            };
+            way / by
+        });
+        let near = tolerance::NEGLIGIBLE / by.abs();
+        parts
+            .filter(|part| *part > near && *part < 1.0 - near)
+            .min_by(f64::total_cmp)
+    }
+
+    /// The reason for a pose whose accelerations are not found.
+    fn singular(&self) -> Unsolved {
+        Unsolved {
+            input: self
+                .freedoms
+                .drivers
+                .coordinates()
+                .first()
+                .copied()
+                .unwrap_or(0.0),
+            step: crate::index::StepId::FIRST,
+            cause: crate::mechanism::Cause::DeadPoint,
+        }
+    }
+}
+
+/// Accelerations, with the powers of the drives and loads and of what is lost, divided by a momentum.
+fn powers(found: &Driven, rates: &Coordinates, momentum: f64) -> [f64; WIDTH] {
+    let mut all = [0.0; WIDTH];
+    all[..FREEDOMS].copy_from_slice(found.accelerations.as_slice());
+    let along = &found.equations.along;
+    all[FREEDOMS] = (found.torques.dot(rates) + along.load) / momentum;
+    all[FREEDOMS + 1] = -along.resistance(1.0) / momentum;
+    all
+}

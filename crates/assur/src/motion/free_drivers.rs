@@ -1,0 +1,241 @@
+//! Poses of a linkage whose drivers move independently of one another.
+
+use super::Motion;
+use super::continuation::{MAX_TURN, Prediction};
+use crate::index::{BodyId, List, StepId};
+use crate::mechanism::{AssemblySigns, Cause, Mechanism, Pose, Unsolved, solve_steps};
+use crate::position::{
+    DriveLaw, Enclosure, Mounting, Nearby, Orientation, Predictor, Sign, State, Step,
+};
+use crate::tolerance;
+
+/// A linkage at any coordinates of its drivers, followed from pose to pose along straight lines in these coordinates.
+/// Every line is certified in steps like those of [`Motion`], so the assembly stays the same.
+#[derive(Clone, Debug)]
+pub(crate) struct FreeDrivers {
+    motion: Motion,
+    /// Steps of the plan, with laws of the drivers along a line and without closed forms of the motion.
+    steps: List<StepId, Step>,
+    signs: AssemblySigns,
+    mounting: Mounting,
+    /// Bodies whose whole turns are tracked.
+    tracked: Vec<BodyId>,
+    /// Coordinates of the drivers in the last pose, with its orientations and the unknowns of its groups.
+    coordinates: Vec<f64>,
+    orientations: List<BodyId, Orientation>,
+    natural: Vec<f64>,
+    here: Predictor,
+    trial: Predictor,
+    enclosure: Enclosure,
+}
+
+impl FreeDrivers {
+    /// The drivers at an input of a motion; from there each may go its own way.
+    ///
+    /// # Errors
+    /// The input has no pose, or a singular one.
+    pub(crate) fn new(motion: &Motion, input: f64) -> Result<Self, Unsolved> {
+        let mechanism = motion.mechanism();
+        let pose = motion.pose::<1>(input)?;
+        let mut steps = mechanism.steps().clone();
+        let mut coordinates = vec![0.0; mechanism.spec().drivers.len()];
+        for step in steps.iter_mut() {
+            for law in step.laws_mut() {
+                let (driver, coordinate) = law.coordinate(input);
+                coordinates[driver] = coordinate;
+            }
+            if let Step::Rrr(dyad) = step {
+                dyad.four_bar = None;
+            }
+        }
+        let tracked = steps.enumerate().filter(|(_, step)| step.tracks_turns());
+        let mut free = Self {
+            tracked: tracked.flat_map(|(_, step)| step.bodies()).collect(),
+            signs: motion.signs_at(input),
+            mounting: mechanism.mounting().clone(),
+            orientations: pose.state().orientations(),
+            natural: pose.state().natural_values().collect(),
+            here: mechanism.blank_state(),
+            trial: mechanism.blank_state(),
+            enclosure: mechanism.enclosure(),
+            motion: motion.clone(),
+            coordinates,
+            steps,
+        };
+        free.take_signs(pose.state(), input)?;
+        Ok(free)
+    }
+
+    /// Gives each step the sign for which its bodies are nearest to those of a pose. Closed forms of the motion count
+    /// signs otherwise.
+    fn take_signs(&mut self, posed: &State<1>, input: f64) -> Result<(), Unsolved> {
+        let still = vec![0.0; self.coordinates.len()];
+        let mut state: State<1> = self.mechanism().blank_state();
+        for step in self.steps.ids() {
+            let signs: &[Sign] = if self.steps[step].has_sign() {
+                &Sign::BOTH
+            } else {
+                &[Sign::Plus]
+            };
+            let mut best: Option<(f64, Sign)> = None;
+            for sign in signs {
+                self.signs[step] = *sign;
+                let coordinates = self.coordinates.clone();
+                if self
+                    .solve(&coordinates, &still, Some(step), &mut state)
+                    .is_ok()
+                {
+                    let off = self.steps[step].bodies().into_iter().map(|body| {
+                        let [here, there] = [&state, posed].map(|state| &state.bodies[body]);
+                        (here.origin.value() - there.origin.value()).norm()
+                            + (here.turn.value() - there.turn.value()).norm()
+                    });
+                    let off = off.sum();
+                    if best.is_none_or(|(least, _)| off < least) {
+                        best = Some((off, *sign));
+                    }
+                }
+            }
+            let cause = Cause::DeadPoint;
+            let (_, sign) = best.ok_or(Unsolved { input, step, cause })?;
+            self.signs[step] = sign;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn mechanism(&self) -> &Mechanism {
+        self.motion.mechanism()
+    }
+
+    /// Coordinates of the drivers in the last pose.
+    pub(crate) fn coordinates(&self) -> &[f64] {
+        &self.coordinates
+    }
+
+    /// Writes the pose at coordinates near those of the last pose. Its derivatives are those along a line in the
+    /// coordinates.
+    ///
+    /// # Errors
+    /// The step that has no solution.
+    pub(crate) fn place<const N: usize>(
+        &mut self,
+        [at, along]: [&[f64]; 2],
+        pose: &mut Pose<N>,
+    ) -> Result<(), Unsolved> {
+        let solved = self.solve(at, along, None, pose.parts().0);
+        solved.map_err(|(step, cause)| unsolved(at, step, cause))
+    }
+
+    /// Solves the steps up to a given one, or all.
+    fn solve<const N: usize>(
+        &mut self,
+        at: &[f64],
+        along: &[f64],
+        last: Option<StepId>,
+        state: &mut State<N>,
+    ) -> Result<(), (StepId, Cause)> {
+        self.follow(at, along);
+        let near = Nearby {
+            orientations: &self.orientations,
+            natural: &self.natural,
+            smooth_roots: &[],
+        };
+        let count = last.map_or(self.steps.len(), |last| last.index() + 1);
+        let steps = self.steps.enumerate().take(count);
+        solve_steps(steps, 0.0, &self.signs, near, &self.mounting, state)
+    }
+
+    fn follow(&mut self, from: &[f64], along: &[f64]) {
+        let laws = self.steps.iter_mut().flat_map(Step::laws_mut);
+        laws.for_each(|law: &mut DriveLaw| law.follow(from, along));
+    }
+
+    /// Moves to coordinates along a straight line.
+    ///
+    /// # Errors
+    /// The step of the plan that has no solution, or is not certified even in short pieces of the line; the pose is as
+    /// before.
+    pub(crate) fn move_to(&mut self, to: &[f64]) -> Result<(), Unsolved> {
+        let before = (
+            self.coordinates.clone(),
+            self.orientations.clone(),
+            self.natural.clone(),
+        );
+        let moved = self.moved(to);
+        if moved.is_err() {
+            (self.coordinates, self.orientations, self.natural) = before;
+        }
+        moved
+    }
+
+    fn moved(&mut self, to: &[f64]) -> Result<(), Unsolved> {
+        let mut part = 1.0;
+        // Parts of the line that are still to do are halves of halves, so their sum is exact.
+        let mut left = 1.0;
+        while left > 0.0 {
+            let (from, share) = (self.coordinates.clone(), part / left);
+            let ends = from.iter().zip(to);
+            let next: Vec<f64> = if share == 1.0 {
+                to.to_vec()
+            } else {
+                ends.map(|(from, to)| from + share * (to - from)).collect()
+            };
+            match self.step_to(&next) {
+                Ok(()) => {
+                    left -= part;
+                    part = (2.0 * part).min(left);
+                }
+                Err((step, cause)) if part < tolerance::NEGLIGIBLE => {
+                    return Err(unsolved(&next, step, cause));
+                }
+                Err(_) => part *= 0.5,
+            }
+        }
+        Ok(())
+    }
+
+    /// Certifies a straight line in one piece, and takes the pose at its end.
+    fn step_to(&mut self, to: &[f64]) -> Result<(), (StepId, Cause)> {
+        let from = std::mem::take(&mut self.coordinates);
+        let along: Vec<f64> = from.iter().zip(to).map(|(from, to)| to - from).collect();
+        let mut here = std::mem::replace(&mut self.here, State::new(0, 0, 0, 1.0));
+        let solved = self.solve(&from, &along, None, &mut here);
+        (self.here, self.coordinates) = (here, from);
+        solved?;
+        let uncertified = |step| (step, Cause::DeadPoint);
+        let predicted = Prediction::of(&self.here, &self.orientations, 1.0);
+        let near = predicted.near(&[]);
+        let steps = self.steps.enumerate();
+        solve_steps(
+            steps,
+            1.0,
+            &self.signs,
+            near,
+            &self.mounting,
+            &mut self.trial,
+        )?;
+        let enclosure = &mut self.enclosure;
+        enclosure
+            .certify(&self.steps, &self.here, 1.0)
+            .map_err(uncertified)?;
+        let turns_far = |body: &&BodyId| enclosure.turned(&self.here, **body) > MAX_TURN;
+        if let Some(body) = self.tracked.iter().find(turns_far) {
+            let step = self.motion.mechanism().placed_by(*body);
+            return Err(uncertified(step.unwrap_or(StepId::FIRST)));
+        }
+        let holds = |(step, placing)| enclosure.holds(step, placing, &self.here, &self.trial);
+        if let Some((step, _)) = self.steps.enumerate().find(|one| !holds(*one)) {
+            return Err(uncertified(step));
+        }
+        self.coordinates.copy_from_slice(to);
+        self.trial.orient(&mut self.orientations);
+        self.natural.clear();
+        self.natural.extend(self.trial.natural_values());
+        Ok(())
+    }
+}
+
+fn unsolved(at: &[f64], step: StepId, cause: Cause) -> Unsolved {
+    let input = at.first().copied().unwrap_or(0.0);
+    Unsolved { input, step, cause }
+}
