@@ -33,6 +33,7 @@ mod poses;
 mod positions;
 mod properties;
 mod readers;
+mod several_freedoms;
 mod shaking;
 mod structure;
 mod synthesis;

@@ -1,8 +1,8 @@
-//! Tables of forces: reactions and balancing torques by the input, and the motion under load over time.
+//! Tables of forces: reactions and balancing torques by the input.
 
 use std::io::Write;
 
-use assur::forces::{Halt, Kinetostatics, Pair, PairId, Reactions, Run};
+use assur::forces::{Kinetostatics, Pair, PairId, Reactions};
 use assur::mechanism::BodyId;
 use assur_file::{ForceUnits, LinkageProblem};
 use clap::Args;
@@ -10,15 +10,12 @@ use serde_json::{Value, json};
 
 use crate::csv::{Cell, Csv};
 use crate::source::{Moved, Name};
-use crate::sweep::{Rows, asked_for, inputs, rate};
+use crate::sweep::{Rows, inputs, rate};
 use crate::words::{Words, number};
 use crate::{Failure, source};
 
 /// Parts of the shaking force and moment, as columns and fields.
 const SHAKING: [&str; 3] = ["x", "y", "moment"];
-
-/// Maximum number of rows of a motion under load.
-const MAX_ROWS: f64 = 1e7;
 
 /// Arguments of `assur forces`.
 #[derive(Args)]
@@ -38,28 +35,6 @@ pub(crate) struct Asked {
     json: bool,
     /// Decimal comma (0,5 for 0.5), with semicolons between cells
     #[arg(long, conflicts_with = "json")]
-    decimal_comma: bool,
-}
-
-/// Arguments of `assur run`.
-#[derive(Args)]
-pub(crate) struct RunAsked {
-    /// Catalogue name or file.
-    name: Name,
-    /// Time at which the table ends, seconds
-    #[arg(long, value_parser = number, value_name = "T")]
-    until: f64,
-    /// Interval between rows, seconds [default: a hundredth of the time]
-    #[arg(long, value_parser = number, value_name = "T")]
-    every: Option<f64>,
-    /// Input at the start: degrees, or a length for a driven slide [default: that of the drawing]
-    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
-    from: Option<f64>,
-    /// Rate of the input at the start, rad/s, or length/s for a slide [default: the initial rate of the file, or 0]
-    #[arg(long, value_parser = number, value_name = "X", allow_hyphen_values = true)]
-    omega: Option<f64>,
-    /// Decimal comma (0,5 for 0.5), with semicolons between cells
-    #[arg(long)]
     decimal_comma: bool,
 }
 
@@ -227,117 +202,4 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         writeln!(out, "{:#}", json!({ "rows": rows }))?;
     }
     Ok(())
-}
-
-/// Writes the table of a motion under load. If the motion ends before, its last row is at its end, and
-/// standard error says so.
-///
-/// # Errors
-/// A document that is not a mechanism, whose forces are invalid or that cannot be run; an invalid number; output that
-/// cannot be written.
-pub(crate) fn run(out: &mut impl Write, asked: &RunAsked) -> Result<(), Failure> {
-    let Moved { document, motion } = source::moved(&asked.name)?;
-    let mechanism = motion.mechanism();
-    let loading = document.loading(mechanism);
-    let loading = loading.map_err(|problems| source::refused(&asked.name, &problems))?;
-    let one = |problem: LinkageProblem| source::refused(&asked.name, &[problem]);
-    let motor = document.motor(mechanism).map_err(one)?;
-    let every = asked.every.unwrap_or_else(|| {
-        let digits = decimals(asked.until) + 2;
-        rounded(asked.until / 100.0, digits)
-    });
-    if !(asked.until > 0.0
-        && asked.until.is_finite()
-        && every > 0.0
-        && asked.until / every <= MAX_ROWS)
-    {
-        let said = "--until and --every: give times greater than zero, with at most 10000000 rows";
-        return Err(Failure::Input(said.to_owned()));
-    }
-    let from = asked
-        .from
-        .map(|from| asked_for("--from", from, mechanism.turns()));
-    let from = from
-        .transpose()?
-        .map_or(motion.drawn_input(), |at| at.input);
-    let speed = rate(
-        "--omega",
-        asked.omega.or(document.initial_rate).unwrap_or(0.0),
-    )?;
-    let mut run = Run::new(&motion, &loading, &motor, [from, speed])
-        .map_err(|reason| one(LinkageProblem::no_run(&reason, mechanism)))?;
-    let csv = Csv {
-        decimal_comma: asked.decimal_comma,
-    };
-    let header = [
-        "t",
-        "input",
-        "rate",
-        "acceleration",
-        "kinetic",
-        "potential",
-        "work",
-        "lost",
-    ];
-    csv.line(
-        out,
-        header.into_iter().map(|name| Cell::Text(name.to_owned())),
-    )?;
-    let energy = document.force_units().torque();
-    let count = (asked.until / every * (1.0 + 1e-12)).floor() as usize;
-    let digits = decimals(every);
-    for row in 0..=count {
-        let ended = run.advance(rounded(row as f64 * every, digits)).err();
-        let now = run.reading();
-        let energies = [now.kinetic, now.potential, now.work, now.lost].map(|part| part * energy);
-        let values = [now.time, now.input, now.rate, now.acceleration]
-            .into_iter()
-            .chain(energies);
-        csv.line(out, values.map(Cell::Number))?;
-        if let Some(halt) = ended {
-            let input = source::at(mechanism.turns(), now.input);
-            let said = match halt {
-                Halt::End { end, .. } => {
-                    let links = end.iter().flat_map(|end| motion.links_at(end));
-                    let links: Vec<&str> = links.collect();
-                    if links.is_empty() {
-                        format!("the motion cannot be followed beyond {input}")
-                    } else {
-                        format!("the motion ends at {input}: {}", links.join(", "))
-                    }
-                }
-                Halt::Locked { .. } => format!("the linkage locks itself by friction at {input}"),
-            };
-            // A failure to write to standard error cannot be reported.
-            let _ = writeln!(std::io::stderr(), "{}: {said}", asked.name);
-            break;
-        }
-    }
-    Ok(())
-}
-
-/// Number of digits after the decimal sign.
-fn decimals(value: f64) -> usize {
-    let text = value.to_string();
-    text.split_once('.').map_or(0, |(_, digits)| digits.len())
-}
-
-/// A number rounded to digits after the decimal sign: 0.3 for 3 · 0.1.
-fn rounded(value: f64, digits: usize) -> f64 {
-    format!("{value:.digits$}").parse().unwrap_or(value)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn times_are_decimals_of_the_interval() {
-        let times = |every: f64| [1.0, 3.0, 7.0].map(|k| rounded(k * every, decimals(every)));
-        assert_eq!(times(0.1), [0.1, 0.3, 0.7]);
-        assert_eq!(times(0.07), [0.07, 0.21, 0.49]);
-        assert_eq!(times(2.0), [2.0, 6.0, 14.0]);
-        assert_eq!(times(1e-7), [1e-7, 3e-7, 7e-7]);
-        assert_eq!(rounded(0.7 / 100.0, decimals(0.7) + 2), 0.007);
-    }
 }

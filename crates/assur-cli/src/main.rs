@@ -12,6 +12,7 @@ mod exact;
 mod forces;
 mod mobility;
 mod plot;
+mod run;
 mod source;
 mod structure;
 mod sweep;
@@ -80,15 +81,19 @@ enum Command {
     Forces(forces::Asked),
     /// Writes the motion under load over time as a table (CSV).
     ///
-    /// The linkage has one driver. It is free, or turned by the motor of the file, and moves under its loads from the
-    /// pose of the drawing at the initial rate of the file. Columns are t (seconds), input (radians, or a length for a
+    /// The driver is free, or moved by the motor of the file, and the linkage moves under its loads from the pose of the
+    /// drawing at the initial rate of the file. Columns are t (seconds), input (radians, or a length for a
     /// slide), rate and acceleration of the input, then in joules the kinetic and potential energy, the work of the
     /// motor and of the given forces, and the energy lost in resistances, dampers and friction. Friction may stop the
     /// linkage; then it stays. If the motion ends at a dead point, or the linkage locks itself by friction, the last row
     /// is there, and standard error says so.
     ///
+    /// With several drivers each is a freedom of its own, with a motor of its own or a rate that it keeps. Columns after
+    /// t are then input, rate, acceleration and torque (newton metres; of a slide the force, newtons) of each driver,
+    /// named after its link: AB.input, AB.rate, … Dry friction is not counted with several drivers.
+    ///
     /// Example: assur run crank.json --until 3 --every 0.01
-    Run(forces::RunAsked),
+    Run(run::Asked),
     /// Writes a table (CSV) of the steady cycle under load, without and with a flywheel for a wanted non-uniformity.
     ///
     /// The crank turns fully, driven by the motor of the file. Without a motor, a constant torque is found that keeps
@@ -267,7 +272,7 @@ fn run(command: Command) -> Result<(), Failure> {
         }
         Command::Sweep(asked) => sweep::write(&mut out, &asked)?,
         Command::Forces(asked) => forces::write(&mut out, &asked)?,
-        Command::Run(asked) => forces::run(&mut out, &asked)?,
+        Command::Run(asked) => run::write(&mut out, &asked)?,
         Command::Cycle(asked) => cycle::write(&mut out, &asked)?,
         Command::Structure {
             name,

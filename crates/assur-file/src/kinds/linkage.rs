@@ -235,6 +235,15 @@ pub struct DriverDocument {
     /// Rate of this driver's coordinate relative to that of the first driver; 1 by default.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate: Option<f64>,
+    /// Motor of a further driver in a motion under load; if absent, the driver is free there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motor: Option<MotorDocument>,
+    /// Rate of a further driver at the start of a motion under load; if absent, `rate` times that of the first driver.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub initial_rate: Option<f64>,
+    /// Whether a driver among several keeps its rate in a motion under load, whatever torque that takes.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub keeps_rate: Option<bool>,
 }
 
 impl Kind for LinkageDocument {

@@ -126,6 +126,21 @@ impl FreeDrivers {
         solved.map_err(|(step, cause)| unsolved(at, step, cause))
     }
 
+    /// The dyad or group that is nearest to a singular position in a pose.
+    pub(crate) fn most_singular<const N: usize>(&self, pose: &Pose<N>) -> StepId {
+        let state = pose.state();
+        let solved = self.steps.enumerate().filter(|(_, step)| {
+            !matches!(step, Step::Crank(_) | Step::Slider(_) | Step::Epicyclic(_))
+        });
+        let margin = |step: StepId| {
+            let margins = state.margins[step].map(|margin| margin.value().abs());
+            margins[0].min(margins[1])
+        };
+        let steps = solved.map(|(step, _)| step);
+        let nearest = steps.min_by(|a, b| margin(*a).total_cmp(&margin(*b)));
+        nearest.unwrap_or(StepId::FIRST)
+    }
+
     /// Solves the steps up to a given one, or all.
     fn solve<const N: usize>(
         &mut self,

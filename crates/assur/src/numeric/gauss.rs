@@ -56,7 +56,7 @@ const ITERATIONS: usize = 40;
 
 /// Relative change of the accelerations that may be rounding. If the change is below this level and stops falling, the
 /// iteration ends.
-const FLOOR: f64 = 1e-11;
+pub(crate) const FLOOR: f64 = 1e-11;
 
 /// A moment within a step.
 #[derive(Clone, Copy, Debug)]
@@ -114,10 +114,11 @@ impl<const N: usize> Past<N> {
     }
 }
 
-/// Makes a step of the method. None if the iteration does not converge, because the step is too long.
+/// Makes a step of the method. Accelerations may have rounding errors of a relative size `floor`. None if the iteration
+/// does not converge, because the step is too long.
 pub(crate) fn step<const N: usize>(
     past: &mut Past<N>,
-    length: f64,
+    [length, floor]: [f64; 2],
     rates: &[f64; N],
     mut accelerations: impl FnMut(&Moment<N>) -> [f64; N],
 ) -> Option<Step<N>> {
@@ -136,7 +137,7 @@ pub(crate) fn step<const N: usize>(
             return None;
         }
         known = found;
-        let settled = change >= before && change <= FLOOR * size;
+        let settled = change >= before && change <= floor * size;
         if change <= tolerance::EXACT * size || settled {
             *past = Past {
                 length,
@@ -194,6 +195,8 @@ pub(crate) struct Adaptive<const N: usize> {
     past: Past<N>,
     /// Length of the next step.
     length: f64,
+    /// Relative size of the rounding errors of accelerations.
+    floor: f64,
 }
 
 /// Change over a step.
@@ -217,9 +220,13 @@ const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
 impl<const N: usize> Adaptive<N> {
-    pub(crate) fn new(length: f64) -> Self {
+    pub(crate) fn new(length: f64, floor: f64) -> Self {
         let past = Past::NONE;
-        Self { past, length }
+        Self {
+            past,
+            length,
+            floor,
+        }
     }
 
     /// Makes a step of at most a given length: two half steps, extrapolated by their difference from a whole step. The
@@ -268,9 +275,9 @@ impl<const N: usize> Adaptive<N> {
     ) -> Option<(Advance<N>, Past<N>)> {
         let half = 0.5 * length;
         let mut past = self.past;
-        let first = step(&mut past, half, rates, &mut *accelerations)?;
+        let first = step(&mut past, [half, self.floor], rates, &mut *accelerations)?;
         let middle = std::array::from_fn(|n| rates[n] + first.gained[n]);
-        let second = step(&mut past, half, &middle, |moment| {
+        let second = step(&mut past, [half, self.floor], &middle, |moment| {
             let mut later = *moment;
             later.time += half;
             for (moved, before) in later.moved.iter_mut().zip(first.moved) {
@@ -278,7 +285,12 @@ impl<const N: usize> Adaptive<N> {
             }
             accelerations(&later)
         })?;
-        let whole = step(&mut self.past.clone(), length, rates, accelerations)?;
+        let whole = step(
+            &mut self.past.clone(),
+            [length, self.floor],
+            rates,
+            accelerations,
+        )?;
         let sum = |of: fn(&Step<N>) -> &[f64; N]| -> [[f64; N]; 2] {
             let halves: [f64; N] = std::array::from_fn(|n| of(&first)[n] + of(&second)[n]);
             let error = std::array::from_fn(|n| (halves[n] - of(&whole)[n]) / HALVES);

@@ -148,6 +148,7 @@ pub(super) fn driver(driver: &DriverDocument) -> Option<DriverSpec> {
             slide: None,
             range: None,
             rate,
+            ..
         } => Some(DriverSpec::Crank {
             link: link.clone(),
             base: base.clone().unwrap_or(FRAME.to_owned()),
@@ -159,6 +160,7 @@ pub(super) fn driver(driver: &DriverDocument) -> Option<DriverSpec> {
             slide: Some(slide),
             range: Some(range),
             rate,
+            ..
         } => Some(DriverSpec::Slide {
             slide: *slide,
             range: *range,

@@ -5,6 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::{NoRun, Reduced};
 use crate::forces::Loading;
 use crate::forces::applied::{Applied, turning};
+use crate::index::StepId;
 use crate::mechanism::{DriverSpec, Mechanism, Pose, Unsolved};
 use crate::motion::{FreeDrivers, Motion};
 use crate::tolerance;
@@ -79,6 +80,11 @@ impl Freedoms {
 
     pub(super) fn mechanism(&self) -> &Mechanism {
         self.drivers.mechanism()
+    }
+
+    /// The dyad or group nearest to a singular position in the pose evaluated last.
+    pub(super) fn most_singular(&self) -> StepId {
+        self.drivers.most_singular(&self.along)
     }
 
     /// Number of drivers.

@@ -3,15 +3,26 @@
 use super::lagrange::{Coordinates, FREEDOMS, Freedoms, Lagrange};
 use super::{Motor, NoRun};
 use crate::forces::Loading;
-use crate::mechanism::{Pose, Unsolved};
+use crate::mechanism::{Cause, Mechanism, Pose, Unsolved};
 use crate::motion::Motion;
 use crate::numeric::gauss::{Adaptive, Advance};
 use crate::tolerance;
 
-use super::run::{ERROR, SHORTEST, TRIALS, add};
+use super::run::{ERROR, TRIALS, add};
 
 /// Coordinates of the drivers, with the work and the lost energy.
 const WIDTH: usize = FREEDOMS + 2;
+
+/// Relative size of rounding errors of accelerations. Near a pose in which a group is singular they grow like the cube of
+/// the velocities of its links.
+const ROUNDING: f64 = 1e-9;
+
+/// Shortest step, and one that counts as short, relative to the time in which a coordinate moves by its unit.
+const SHORTEST: f64 = 1e-9;
+const SHORT: f64 = 1e-5;
+
+/// Number of short steps, one after another, after which a run ends: it does not get past a singular pose.
+const MOST_SHORT: usize = 1000;
 
 /// What moves a driver of a linkage of several freedoms under load.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +75,8 @@ pub struct LagrangeRun {
     work: f64,
     lost: f64,
     steps: Adaptive<WIDTH>,
+    /// Number of short steps since the last longer one.
+    short: usize,
     /// Kinetic and potential energy at the start.
     opening: f64,
 }
@@ -150,8 +163,9 @@ impl LagrangeRun {
             time: 0.0,
             work: 0.0,
             lost: 0.0,
-            steps: Adaptive::new(0.01),
+            steps: Adaptive::new(0.01, ROUNDING),
             opening: 0.0,
+            short: 0,
             actuators: actuators.to_vec(),
             freedoms,
         };
@@ -162,7 +176,7 @@ impl LagrangeRun {
         // A first guess: the time in which a coordinate moves by a hundredth of its unit.
         let speed = run.scale(&found.accelerations);
         if speed > 0.0 {
-            run.steps = Adaptive::new(0.01 / speed);
+            run.steps = Adaptive::new(0.01 / speed, ROUNDING);
         }
         Ok(run)
     }
@@ -203,8 +217,8 @@ impl LagrangeRun {
         self.rates.amax() + accelerations.amax().sqrt()
     }
 
-    /// The motion from which the run began.
-    pub fn mechanism(&self) -> &crate::mechanism::Mechanism {
+    /// The mechanism.
+    pub fn mechanism(&self) -> &Mechanism {
         self.freedoms.mechanism()
     }
 
@@ -267,6 +281,9 @@ impl LagrangeRun {
 
     /// Makes a step of at most a given length.
     fn step(&mut self, most: f64) -> Result<(), Unsolved> {
+        if self.short > MOST_SHORT {
+            return Err(self.singular());
+        }
         let (at, rates) = (self.at, self.rates);
         let mut fault = None;
         let Some(here) = self.driven(&at, &rates)? else {
@@ -282,7 +299,7 @@ impl LagrangeRun {
         let mut start = [0.0; WIDTH];
         start[..FREEDOMS].copy_from_slice(rates.as_slice());
         let (before, rest) = (self.steps, self.rest[0]);
-        let mut most = most;
+        let (asked, mut most) = (most, most);
         let mut tries = 0;
         loop {
             let mut steps = before;
@@ -346,6 +363,11 @@ impl LagrangeRun {
             self.work += momentum * advance.gained[FREEDOMS];
             self.lost += momentum * advance.gained[FREEDOMS + 1];
             self.time += advance.length;
+            self.short = if advance.length * scale < SHORT && advance.length < asked {
+                self.short + 1
+            } else {
+                0
+            };
             return Ok(());
         }
     }
@@ -373,15 +395,9 @@ impl LagrangeRun {
     /// The reason for a pose whose accelerations are not found.
     fn singular(&self) -> Unsolved {
         Unsolved {
-            input: self
-                .freedoms
-                .drivers
-                .coordinates()
-                .first()
-                .copied()
-                .unwrap_or(0.0),
-            step: crate::index::StepId::FIRST,
-            cause: crate::mechanism::Cause::DeadPoint,
+            input: self.at[0] * self.freedoms.units[0],
+            step: self.freedoms.most_singular(),
+            cause: Cause::DeadPoint,
         }
     }
 }

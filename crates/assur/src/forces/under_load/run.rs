@@ -5,7 +5,7 @@ use crate::angle::sum;
 use crate::forces::{Defect, Loading, Motor, Unbalanced};
 use crate::mechanism::Unsolved;
 use crate::motion::{DeadPoint, Motion};
-use crate::numeric::gauss::{Adaptive, Advance};
+use crate::numeric::gauss::{Adaptive, Advance, FLOOR};
 use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to a radian of the input.
@@ -22,7 +22,7 @@ const REST: f64 = 1e-4;
 pub(super) const TRIALS: usize = 6;
 
 /// Shortest step, relative to the time in which the input moves by a radian: shorter steps would only be rounding.
-pub(super) const SHORTEST: f64 = 1e-12;
+const SHORTEST: f64 = 1e-12;
 
 /// Motion of a linkage of one driver under its loads and a motor: J φ̈ + ½ J′ φ̇² = M, see [`crate::forces::Reduced`]. The torque
 /// of dry friction depends on the reactions, and so on the acceleration; both are found together.
@@ -143,7 +143,7 @@ impl Run {
                 work: 0.0,
                 lost: 0.0,
             },
-            steps: Adaptive::new(length),
+            steps: Adaptive::new(length, FLOOR),
             fastest: 0.0,
         })
     }

@@ -5,8 +5,8 @@
 
 use assur::Vector;
 use assur::forces::{
-    AnchorSpec, DamperSpec, Defect, FrictionSpec, Harmonic, Law, LoadSpec, Loading, LoadingSpec,
-    Motor, NoCycle, NoRun, Part, SpringSpec,
+    Actuator, AnchorSpec, DamperSpec, Defect, FrictionSpec, Harmonic, Law, LoadSpec, Loading,
+    LoadingSpec, Motor, NoCycle, NoRun, Part, SpringSpec,
 };
 use assur::mechanism::Mechanism;
 
@@ -63,7 +63,8 @@ impl LinkageDocument {
         let is_free = self.loads.is_empty() && self.springs.is_empty() && self.dampers.is_empty();
         let is_free = is_free && self.friction.is_empty();
         let is_given = self.gravity.is_some() || self.motor.is_some() || self.flywheel.is_some();
-        is_given || !is_free
+        let is_driven = self.drivers.iter().any(|driver| driver.motor.is_some());
+        is_given || is_driven || !is_free
     }
 
     /// The loading of the document's mechanism.
@@ -82,17 +83,43 @@ impl LinkageDocument {
     /// A number of the motor is not valid.
     pub fn motor(&self, mechanism: &Mechanism) -> Result<Motor, LinkageProblem> {
         let unit = self.force_units().drive(mechanism.turns());
-        let Some(motor) = &self.motor else {
-            return Ok(Motor::NONE);
-        };
-        let path = "motor".to_owned();
-        let motor = motor
-            .spec(unit)
-            .ok_or(LinkageProblem::UnclearForce { path })?;
-        motor
-            .check()
-            .map_err(|defect| LinkageProblem::of_forces(&defect))?;
-        Ok(motor)
+        checked(self.motor.as_ref(), unit, "motor".to_owned())
+    }
+
+    /// What moves each driver of several in a motion under load, and its initial rate; `first` is that of the first driver.
+    ///
+    /// # Errors
+    /// A number of a motor is not valid, a driver has both a motor and a rate that it keeps, or the motor or the initial
+    /// rate of the first driver is given twice.
+    pub fn actuators(&self, first: f64) -> Result<(Vec<Actuator>, Vec<f64>), LinkageProblem> {
+        let mut all = (Vec::new(), Vec::new());
+        for (index, driver) in self.drivers.iter().enumerate() {
+            let field = |name: &str| format!("drivers[{index}].{name}");
+            let unclear = |name: &str| Err(LinkageProblem::UnclearForce { path: field(name) });
+            let (motor, path) = match (index, &driver.motor) {
+                (0, Some(_)) => return unclear("motor"),
+                (0, None) => (self.motor.as_ref(), "motor".to_owned()),
+                (_, motor) => (motor.as_ref(), field("motor")),
+            };
+            let rate = match (index, driver.initial_rate) {
+                (0, Some(_)) => return unclear("initial_rate"),
+                (_, given) => given.unwrap_or(driver.rate.unwrap_or(1.0) * first),
+            };
+            if driver.keeps_rate == Some(true) && motor.is_some() {
+                return unclear("keeps_rate");
+            }
+            let unit = self.force_units().drive(driver.crank.is_some());
+            let motor = checked(motor, unit, path)?;
+            let keeps = driver.keeps_rate == Some(true);
+            let actuator = if keeps {
+                Actuator::Rate
+            } else {
+                Actuator::Motor(motor)
+            };
+            all.0.push(actuator);
+            all.1.push(rate);
+        }
+        Ok(all)
     }
 
     fn loading_spec(&self, turns: bool) -> Result<LoadingSpec, Vec<LinkageProblem>> {
@@ -119,6 +146,24 @@ impl LinkageDocument {
         } else {
             Err(unclear)
         }
+    }
+}
+
+/// A motor in the engine's unit of torque; none by default. `path` is that of its field.
+fn checked(
+    motor: Option<&MotorDocument>,
+    unit: f64,
+    path: String,
+) -> Result<Motor, LinkageProblem> {
+    let Some(motor) = motor else {
+        return Ok(Motor::NONE);
+    };
+    let Some(motor) = motor.spec(unit) else {
+        return Err(LinkageProblem::UnclearForce { path });
+    };
+    match motor.check() {
+        Ok(()) => Ok(motor),
+        Err(_) => Err(LinkageProblem::ForceNoNumber { path }),
     }
 }
 
