@@ -294,10 +294,12 @@ fn invariance() {
         };
         *damping *= scale * scale;
         let loading = loading(&motion, &loads);
-        let motor = Motor::Linear {
-            stall: 12.0 * scale * scale,
-            no_load: 9.0,
-        };
+        let torques = [[0.0, 12.0], [1.0, 9.0], [3.0, 8.0], [9.0, 0.0]];
+        let motor = Motor::Table(
+            torques
+                .map(|[rate, torque]| [rate, torque * scale * scale])
+                .into(),
+        );
         let actuators = [Actuator::Motor(motor), FREE];
         let from = motion.drawn_input();
         let mut run = LagrangeRun::new(&motion, &loading, &actuators, from, &[0.0; 2]).unwrap();
@@ -376,4 +378,62 @@ fn what_cannot_be_run() {
     // A massless link that keeps its rate needs no mass.
     let kept = [FREE, Actuator::Rate];
     assert!(LagrangeRun::new(&motion, &idle, &kept, from, &[1.0, 0.0]).is_ok());
+}
+
+/// A double pendulum with damped hinges comes to rest and stays; its energy is lost.
+#[test]
+fn a_damped_pendulum_comes_to_rest() {
+    let motion = motion(&double_pendulum());
+    let damper = |links: [&str; 2]| DamperSpec::Torsion {
+        links: links.map(str::to_owned),
+        damping: 2.0,
+    };
+    let loads = LoadingSpec {
+        dampers: vec![damper([FRAME, "upper"]), damper(["upper", "lower"])],
+        ..weight()
+    };
+    let loading = loading(&motion, &loads);
+    let from = motion.drawn_input();
+    let mut run = LagrangeRun::new(&motion, &loading, &[FREE, FREE], from, &[0.0; 2]).unwrap();
+    let start = run.reading();
+    run.advance(200.0).unwrap();
+    let now = run.reading();
+    assert!(now.kinetic < 1e-20, "{now:?}");
+    let fallen = start.potential - now.potential;
+    assert!(near(now.lost, fallen, fallen, 1e-11), "{now:?}");
+}
+
+/// A crane whose trolley runs into the end of its rail: the run ends there, and the load still hangs on it.
+#[test]
+fn a_slide_ends_at_its_range() {
+    let mut spec = massive(
+        LinkageSpec::default()
+            .point("A", 0.0, 0.0)
+            .point("B", 1.0, 0.0)
+            .point("C", 0.5, 0.0)
+            .point("P", 0.5, -0.4)
+            .fixed(&["A", "B"])
+            .bar("trolley", &["C"])
+            .bar("rope", &["C", "P"])
+            .slide("trolley", "C", FRAME, ["A", "B"]),
+    );
+    spec.drivers.push(DriverSpec::Slide {
+        slide: 0,
+        range: [0.0, 1.2],
+        rate: 1.0,
+    });
+    spec.drivers.push(DriverSpec::Crank {
+        link: "rope".to_owned(),
+        base: "trolley".to_owned(),
+        rate: 1.0,
+    });
+    let motion = motion(&spec);
+    let loading = loading(&motion, &weight());
+    let from = motion.drawn_input();
+    let mut run = LagrangeRun::new(&motion, &loading, &[FREE, FREE], from, &[3.0, 0.0]).unwrap();
+    let end = run.advance(10.0).unwrap_err();
+    assert_eq!(end.unsolved.cause, Cause::Input);
+    let now = run.reading();
+    assert!((now.coordinates[0] - 1.2).abs() < 1e-6, "{now:?}");
+    assert!(run.imbalance().abs() < 1e-10 * now.kinetic);
 }

@@ -20,6 +20,7 @@ use crate::change::Change;
 use crate::chart;
 use crate::convert::{read, read_tagged, thrown, to_js};
 use crate::equations::EquationSummary;
+use crate::here::Here;
 use crate::kinds::{as_kind, draft, open_after};
 use crate::moving::Moving;
 use crate::profile::ProfileSummary;
@@ -108,7 +109,8 @@ impl Simulator {
 
     /// The mechanism at an input, computed from one pose: animation frame, handles, read-outs and plotted values.
     /// Derivatives are with respect to the variable of the axes: input or time. If they are unbounded, read-outs and
-    /// plotted values are empty, and `why` gives the reason. A document that never moves has only frame and handles;
+    /// plotted values are empty, and `why` gives the reason. They are also empty while a run of several freedoms is at the
+    /// input: then the pose is that of the run. A document that never moves has only frame and handles;
     /// its input is the fraction by which the last cut of a scheme is open.
     ///
     /// # Errors
@@ -116,6 +118,9 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Here")]
     pub fn at(&self, input: f64) -> Result<JsValue, JsValue> {
         let document = self.document()?;
+        if let Some(here) = self.in_run(input) {
+            return Ok(to_js(&here));
+        }
         Ok(to_js(&match document.moves() {
             Some(moves) => moves.at(input).map_err(one)?,
             None => document.still(input),
@@ -137,6 +142,7 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Problem[]")]
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
         let moves = self.document()?.moves();
+        let moves = moves.filter(|_| self.in_run(input).is_none());
         let problem = moves.and_then(|moves| moves.why(input));
         Ok(to_js(&Vec::from_iter(problem)))
     }
@@ -340,6 +346,13 @@ impl Simulator {
 }
 
 impl Simulator {
+    /// The linkage in the pose of a run of several freedoms, while the run is at this input.
+    fn in_run(&self, input: f64) -> Option<Here> {
+        let shown = self.document.as_deref()?.linkage()?;
+        let mut run = self.run.borrow_mut();
+        run.as_mut()?.here(shown, input)
+    }
+
     /// Returns a change for the page, and keeps its motion, if it has one, until the next `set`.
     fn after(&self, change: Change) -> JsValue {
         let (change, motion) = change.into_parts();

@@ -1,21 +1,34 @@
 //! Motion under load of a linkage: a run in time, and the steady cycle with its flywheels.
 
+use std::f64::consts::TAU;
+
 use assur::forces::{
-    Diagram, DiagramPoint, Halt, MAX_NON_UNIFORMITY, Motor, NoCycle, Run, SteadyCycle,
+    Diagram, DiagramPoint, Halt, LagrangeRun, MAX_NON_UNIFORMITY, Motor, NoCycle, Run, SteadyCycle,
 };
-use assur_file::{ForceUnits, LinkageProblem, Problem};
+use assur::motion::DeadPoint;
+use assur_file::{ForceUnits, LinkageDocument, LinkageProblem, Problem};
 use serde::Serialize;
 
+use crate::here::Here;
 use crate::moving::Moving;
 use crate::summary::DeadPointSummary;
 
 /// Points of a cycle, and of a diagram, for the page.
 const POINTS: usize = 180;
 
+/// Greatest distance between the input of the page and that of a run whose pose is shown, in radians or units of length.
+const SAME: f64 = 1e-9;
+
 /// A run with the units of its document. It goes on when the page shows another document.
 pub(crate) struct UnderLoad {
-    run: Run,
+    run: Running,
     units: ForceUnits,
+}
+
+/// A run of one freedom, or of several with its document.
+enum Running {
+    One(Box<Run>),
+    Several(Box<(LagrangeRun, LinkageDocument)>),
 }
 
 /// Part of a run.
@@ -23,7 +36,8 @@ pub(crate) struct UnderLoad {
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct RunHere<'a> {
     /// Readings, each of eight numbers: time, input, rate, acceleration; in joules the kinetic and potential energy, the
-    /// work of the motor and of the given forces, and the energy lost in resistances, dampers and friction.
+    /// work of the motors and of the given forces, and the energy lost in resistances, dampers and friction. Then come
+    /// coordinate, rate and acceleration of each further driver.
     readings: Vec<f64>,
     /// Whether nothing moves any more.
     rests: bool,
@@ -33,6 +47,9 @@ pub(crate) struct RunHere<'a> {
     locks: bool,
     /// The end, if it is one of the motion of the linkage.
     at: Option<DeadPointSummary<'a>>,
+    /// The reason why a motion of several freedoms ends.
+    #[cfg_attr(test, ts(type = "readonly Problem[]"))]
+    problems: Vec<Problem>,
 }
 
 /// Cycle under load with the flywheel of the document, and with those that both methods give.
@@ -95,9 +112,17 @@ impl Moving {
         let (document, mechanism) = (self.document(), self.mechanism());
         let one = |problem: LinkageProblem| vec![Problem::from(problem)];
         let forces = self.forces();
-        let motor = document.motor(mechanism).map_err(one)?;
-        let run = Run::new(self.motion(), &forces.loading, &motor, [input, rate]);
-        let run = run.map_err(|reason| one(LinkageProblem::no_run(&reason, mechanism)))?;
+        let (motion, loading) = (self.motion(), &forces.loading);
+        let no_run = |reason| one(LinkageProblem::no_run(&reason, mechanism));
+        let run = if document.drivers.len() == 1 {
+            let motor = document.motor(mechanism).map_err(one)?;
+            let run = Run::new(motion, loading, &motor, [input, rate]);
+            Running::One(Box::new(run.map_err(no_run)?))
+        } else {
+            let (actuators, rates) = document.actuators(rate).map_err(one)?;
+            let run = LagrangeRun::new(motion, loading, &actuators, input, &rates);
+            Running::Several(Box::new((run.map_err(no_run)?, document.clone())))
+        };
         let units = forces.units;
         Ok(UnderLoad { run, units })
     }
@@ -176,9 +201,9 @@ fn summary(mut cycle: SteadyCycle, unit: f64) -> CycleSummaryHere {
 impl UnderLoad {
     /// Advances to a time, with a number of readings at equal intervals, the last at the time itself.
     pub(crate) fn advance(&mut self, time: f64, count: u32) -> RunHere<'_> {
-        let start = self.run.reading().time;
         let mut readings = Vec::new();
-        let mut halt = None;
+        let start = self.read(&mut Vec::new());
+        let mut end = End::default();
         for k in 1..=count {
             let part = f64::from(k) / f64::from(count);
             let to = if k == count {
@@ -186,26 +211,110 @@ impl UnderLoad {
             } else {
                 start + part * (time - start)
             };
-            halt = self.run.advance(to).err();
-            let energy = self.units.torque();
-            let now = self.run.reading();
-            let energies = [now.kinetic, now.potential, now.work, now.lost];
-            readings.extend([now.time, now.input, now.rate, now.acceleration]);
-            readings.extend(energies.map(|part| part * energy));
-            if halt.is_some() {
+            end = self.run.advance(to);
+            self.read(&mut readings);
+            if end.ends {
                 break;
             }
         }
-        let rests = self.run.rests();
-        let motion = self.run.motion();
+        let (rests, motion) = match &mut self.run {
+            Running::One(run) => (run.rests(), Some(run.motion())),
+            Running::Several(_) => (false, None),
+        };
+        let at = motion.zip(end.at);
         RunHere {
             readings,
             rests,
-            ends: halt.is_some(),
-            locks: matches!(halt, Some(Halt::Locked { .. })),
-            at: match halt {
-                Some(Halt::End { end: Some(at), .. }) => Some(DeadPointSummary::new(motion, &at)),
-                _ => None,
+            ends: end.ends,
+            locks: end.locks,
+            at: at.map(|(motion, at)| DeadPointSummary::new(motion, &at)),
+            problems: end.problems,
+        }
+    }
+
+    /// Adds the current reading to a list; returns its time.
+    fn read(&mut self, readings: &mut Vec<f64>) -> f64 {
+        let energy = self.units.torque();
+        let mut add = |first: [f64; 4], energies: [f64; 4]| {
+            readings.extend(first);
+            readings.extend(energies.map(|part| part * energy));
+        };
+        match &mut self.run {
+            Running::One(run) => {
+                let now = run.reading();
+                let energies = [now.kinetic, now.potential, now.work, now.lost];
+                add([now.time, now.input, now.rate, now.acceleration], energies);
+                now.time
+            }
+            Running::Several(several) => {
+                let now = several.0.reading();
+                let driver = |k: usize| [now.coordinates[k], now.rates[k], now.accelerations[k]];
+                let [input, rate, acceleration] = driver(0);
+                let energies = [now.kinetic, now.potential, now.work, now.lost];
+                add([now.time, input, rate, acceleration], energies);
+                readings.extend((1..now.coordinates.len()).flat_map(driver));
+                now.time
+            }
+        }
+    }
+
+    /// The linkage in the pose of a run of several freedoms; None if the page shows another document, or another input.
+    pub(crate) fn here(&mut self, shown: &Moving, input: f64) -> Option<Here> {
+        let Running::Several(several) = &mut self.run else {
+            return None;
+        };
+        let (run, document) = several.as_mut();
+        let first = run.coordinates().next()?;
+        let apart = if shown.mechanism().turns() {
+            (input - first).rem_euclid(TAU)
+        } else {
+            (input - first).abs()
+        };
+        let is_here = apart.min((TAU - apart).abs()) <= SAME || apart <= SAME;
+        if !is_here || document != shown.document() {
+            return None;
+        }
+        let mut pose = shown.mechanism().blank::<2>();
+        run.place(&mut pose).ok()?;
+        Some(shown.in_pose(&pose))
+    }
+}
+
+/// End of a run within an advance.
+#[derive(Default)]
+struct End {
+    ends: bool,
+    locks: bool,
+    at: Option<DeadPoint>,
+    problems: Vec<Problem>,
+}
+
+impl Running {
+    fn advance(&mut self, time: f64) -> End {
+        match self {
+            Self::One(run) => match run.advance(time) {
+                Ok(()) => End::default(),
+                Err(halt) => End {
+                    ends: true,
+                    locks: matches!(halt, Halt::Locked { .. }),
+                    at: match halt {
+                        Halt::End { end, .. } => end,
+                        Halt::Locked { .. } => None,
+                    },
+                    problems: Vec::new(),
+                },
+            },
+            Self::Several(several) => match several.0.advance(time) {
+                Ok(()) => End::default(),
+                Err(blocked) => {
+                    let mechanism = several.0.mechanism();
+                    let problem = LinkageProblem::unsolved(&blocked.unsolved, mechanism);
+                    End {
+                        ends: true,
+                        problems: vec![problem.into()],
+                        ..End::default()
+                    }
+                }
             },
         }
     }

@@ -64,6 +64,15 @@ impl Moving {
         self.figure.frame_beside(pose, &others)
     }
 
+    /// The linkage in a pose that need not be one of its motion, without read-outs.
+    pub(crate) fn in_pose<const N: usize>(&self, pose: &Pose<N>) -> Here {
+        Here {
+            frame: self.figure.frame(pose),
+            handles: self.places(pose),
+            ..Here::default()
+        }
+    }
+
     fn place<const N: usize>(&self, pose: &Pose<N>, point: PointId) -> Point {
         self.mechanism().place(pose, point).place()
     }

@@ -5,7 +5,7 @@ use super::defect::{Defects, SPEED};
 use super::equations::{Equations, Following, Powers};
 use super::{Body, Defect, Differential, Mesh};
 use crate::angle::{Angle, sum};
-use crate::numeric::gauss::{self, FLOOR, Past};
+use crate::numeric::gauss::{self, Past};
 
 /// Ticks per second: a power of two, so that times are exact.
 pub const TICKS_PER_SECOND: u32 = 1024;
@@ -262,7 +262,7 @@ impl State {
 
     fn step(&mut self, equations: &Equations, start: f64, length: f64) -> Option<()> {
         let driving = equations.driving(&self.angles, start, length);
-        let step = gauss::step(&mut self.past, [length, FLOOR], &self.speeds, |moment| {
+        let step = gauss::step(&mut self.past, length, &self.speeds, |moment| {
             equations.accelerations(&driving, moment)
         })?;
         for (moment, accelerations, weight) in &step.stages {

@@ -9,6 +9,9 @@ use crate::position::{
 };
 use crate::tolerance;
 
+/// Most pieces of a line that may fail to be certified. Near a singular pose many fail, and the line is given up.
+const TRIES: usize = 100;
+
 /// A linkage at any coordinates of its drivers, followed from pose to pose along straight lines in these coordinates.
 /// Every line is certified in steps like those of [`Motion`], so the assembly stays the same.
 #[derive(Clone, Debug)]
@@ -126,21 +129,6 @@ impl FreeDrivers {
         solved.map_err(|(step, cause)| unsolved(at, step, cause))
     }
 
-    /// The dyad or group that is nearest to a singular position in a pose.
-    pub(crate) fn most_singular<const N: usize>(&self, pose: &Pose<N>) -> StepId {
-        let state = pose.state();
-        let solved = self.steps.enumerate().filter(|(_, step)| {
-            !matches!(step, Step::Crank(_) | Step::Slider(_) | Step::Epicyclic(_))
-        });
-        let margin = |step: StepId| {
-            let margins = state.margins[step].map(|margin| margin.value().abs());
-            margins[0].min(margins[1])
-        };
-        let steps = solved.map(|(step, _)| step);
-        let nearest = steps.min_by(|a, b| margin(*a).total_cmp(&margin(*b)));
-        nearest.unwrap_or(StepId::FIRST)
-    }
-
     /// Solves the steps up to a given one, or all.
     fn solve<const N: usize>(
         &mut self,
@@ -184,7 +172,7 @@ impl FreeDrivers {
     }
 
     fn moved(&mut self, to: &[f64]) -> Result<(), Unsolved> {
-        let mut part = 1.0;
+        let (mut part, mut tries) = (1.0, 0);
         // Parts of the line that are still to do are halves of halves, so their sum is exact.
         let mut left = 1.0;
         while left > 0.0 {
@@ -200,10 +188,17 @@ impl FreeDrivers {
                     left -= part;
                     part = (2.0 * part).min(left);
                 }
-                Err((step, cause)) if part < tolerance::NEGLIGIBLE => {
-                    return Err(unsolved(&next, step, cause));
+                Err((step, cause)) => {
+                    part *= 0.5;
+                    // A piece within rounding of the coordinates would not move them.
+                    let ends = from.iter().zip(to);
+                    let moves =
+                        ends.map(|(from, to)| part * (to - from).abs() / from.abs().max(to.abs()));
+                    tries += 1;
+                    if tries > TRIES || moves.fold(0.0, f64::max) < tolerance::EXACT {
+                        return Err(unsolved(&next, step, cause));
+                    }
                 }
-                Err(_) => part *= 0.5,
             }
         }
         Ok(())

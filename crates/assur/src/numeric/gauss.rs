@@ -54,9 +54,14 @@ const fn squared() -> [[f64; 3]; 3] {
 /// Maximum number of iterations; about 5 are usual.
 const ITERATIONS: usize = 40;
 
-/// Relative change of the accelerations that may be rounding. If the change is below this level and stops falling, the
-/// iteration ends.
-pub(crate) const FLOOR: f64 = 1e-11;
+/// Change of the accelerations that may be rounding. If the change is below this level and stops falling, the iteration
+/// ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Rounding {
+    /// Relative to the greatest acceleration.
+    pub(crate) relative: f64,
+    pub(crate) absolute: f64,
+}
 
 /// A moment within a step.
 #[derive(Clone, Copy, Debug)]
@@ -84,13 +89,18 @@ pub(crate) struct Step<const N: usize> {
 pub(crate) struct Past<const N: usize> {
     length: f64,
     accelerations: [[f64; N]; 3],
+    rounding: Rounding,
 }
 
 impl<const N: usize> Past<N> {
-    /// No previous step: zero accelerations.
+    /// No previous step: zero accelerations. Further accelerations keep their digits.
     pub(crate) const NONE: Self = Self {
         length: 1.0,
         accelerations: [[0.0; N]; 3],
+        rounding: Rounding {
+            relative: 1e-11,
+            absolute: 0.0,
+        },
     };
 
     /// Extrapolates the parabola through the previous accelerations to the stages of the next step.
@@ -114,11 +124,10 @@ impl<const N: usize> Past<N> {
     }
 }
 
-/// Makes a step of the method. Accelerations may have rounding errors of a relative size `floor`. None if the iteration
-/// does not converge, because the step is too long.
+/// Makes a step of the method. None if the iteration does not converge, because the step is too long.
 pub(crate) fn step<const N: usize>(
     past: &mut Past<N>,
-    [length, floor]: [f64; 2],
+    length: f64,
     rates: &[f64; N],
     mut accelerations: impl FnMut(&Moment<N>) -> [f64; N],
 ) -> Option<Step<N>> {
@@ -137,11 +146,13 @@ pub(crate) fn step<const N: usize>(
             return None;
         }
         known = found;
-        let settled = change >= before && change <= floor * size;
+        let Rounding { relative, absolute } = past.rounding;
+        let settled = change >= before && change <= relative * size + absolute;
         if change <= tolerance::EXACT * size || settled {
             *past = Past {
                 length,
                 accelerations: known,
+                rounding: past.rounding,
             };
             return Some(whole(length, rates, moments, &known));
         }
@@ -195,8 +206,6 @@ pub(crate) struct Adaptive<const N: usize> {
     past: Past<N>,
     /// Length of the next step.
     length: f64,
-    /// Relative size of the rounding errors of accelerations.
-    floor: f64,
 }
 
 /// Change over a step.
@@ -220,13 +229,14 @@ const LONGER: f64 = 2.0;
 const SHORTER: f64 = 0.25;
 
 impl<const N: usize> Adaptive<N> {
-    pub(crate) fn new(length: f64, floor: f64) -> Self {
+    pub(crate) fn new(length: f64) -> Self {
         let past = Past::NONE;
-        Self {
-            past,
-            length,
-            floor,
-        }
+        Self { past, length }
+    }
+
+    /// Makes the iterations end at other rounding errors of the accelerations.
+    pub(crate) fn round(&mut self, rounding: Rounding) {
+        self.past.rounding = rounding;
     }
 
     /// Makes a step of at most a given length: two half steps, extrapolated by their difference from a whole step. The
@@ -275,9 +285,9 @@ impl<const N: usize> Adaptive<N> {
     ) -> Option<(Advance<N>, Past<N>)> {
         let half = 0.5 * length;
         let mut past = self.past;
-        let first = step(&mut past, [half, self.floor], rates, &mut *accelerations)?;
+        let first = step(&mut past, half, rates, &mut *accelerations)?;
         let middle = std::array::from_fn(|n| rates[n] + first.gained[n]);
-        let second = step(&mut past, [half, self.floor], &middle, |moment| {
+        let second = step(&mut past, half, &middle, |moment| {
             let mut later = *moment;
             later.time += half;
             for (moved, before) in later.moved.iter_mut().zip(first.moved) {
@@ -285,12 +295,7 @@ impl<const N: usize> Adaptive<N> {
             }
             accelerations(&later)
         })?;
-        let whole = step(
-            &mut self.past.clone(),
-            [length, self.floor],
-            rates,
-            accelerations,
-        )?;
+        let whole = step(&mut self.past.clone(), length, rates, accelerations)?;
         let sum = |of: fn(&Step<N>) -> &[f64; N]| -> [[f64; N]; 2] {
             let halves: [f64; N] = std::array::from_fn(|n| of(&first)[n] + of(&second)[n]);
             let error = std::array::from_fn(|n| (halves[n] - of(&whole)[n]) / HALVES);

@@ -1,7 +1,7 @@
 //! The energy of a linkage under load along its input.
 
 use super::system::System;
-use crate::numeric::gauss::{Adaptive, Advance, FLOOR};
+use crate::numeric::gauss::{Adaptive, Advance};
 use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to the kinetic energy.
@@ -51,7 +51,7 @@ impl Along {
             energy,
             done: 0.0,
             state: [1.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-            steps: Adaptive::new(FIRST * system.unit * std::f64::consts::TAU, FLOOR),
+            steps: Adaptive::new(FIRST * system.unit * std::f64::consts::TAU),
         })
     }
 

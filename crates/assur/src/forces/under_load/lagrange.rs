@@ -82,9 +82,20 @@ impl Freedoms {
         self.drivers.mechanism()
     }
 
-    /// The dyad or group nearest to a singular position in the pose evaluated last.
-    pub(super) fn most_singular(&self) -> StepId {
-        self.drivers.most_singular(&self.along)
+    /// Greatest turn rate of a body by a coordinate in the pose evaluated last, and the step that places the body. It grows
+    /// without bound towards a singular pose.
+    pub(super) fn gain(&self) -> (f64, StepId) {
+        let placed = |body| self.mechanism().placed_by(body).unwrap_or(StepId::FIRST);
+        let bodies = self.mechanism().bodies();
+        let gains = bodies.map(|body| {
+            let by = self
+                .by
+                .iter()
+                .map(|pose| turning(pose.state(), body)[0].abs());
+            (by.fold(0.0, f64::max), placed(body))
+        });
+        let greatest = gains.max_by(|a, b| a.0.total_cmp(&b.0));
+        greatest.unwrap_or((0.0, StepId::FIRST))
     }
 
     /// Number of drivers.

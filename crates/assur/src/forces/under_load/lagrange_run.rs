@@ -3,9 +3,10 @@
 use super::lagrange::{Coordinates, FREEDOMS, Freedoms, Lagrange};
 use super::{Motor, NoRun};
 use crate::forces::Loading;
+use crate::index::StepId;
 use crate::mechanism::{Cause, Mechanism, Pose, Unsolved};
 use crate::motion::Motion;
-use crate::numeric::gauss::{Adaptive, Advance};
+use crate::numeric::gauss::{Adaptive, Advance, Rounding};
 use crate::tolerance;
 
 use super::run::{ERROR, TRIALS, add};
@@ -13,13 +14,26 @@ use super::run::{ERROR, TRIALS, add};
 /// Coordinates of the drivers, with the work and the lost energy.
 const WIDTH: usize = FREEDOMS + 2;
 
-/// Relative size of rounding errors of accelerations. Near a pose in which a group is singular they grow like the cube of
-/// the velocities of its links.
+/// Relative rounding errors of accelerations. Near a pose in which a group is singular they grow like the cube of the
+/// velocities of its links.
 const ROUNDING: f64 = 1e-9;
+
+/// Rounding errors of accelerations near rest, relative to the square of the greatest speed so far.
+const ROUNDING_AT_REST: f64 = 1e-14;
 
 /// Shortest step, and one that counts as short, relative to the time in which a coordinate moves by its unit.
 const SHORTEST: f64 = 1e-9;
 const SHORT: f64 = 1e-5;
+
+/// Part of the greatest speed so far below which speeds only count as this part.
+const SLOW: f64 = 1e-5;
+
+/// Turn rate of a body by a coordinate, relative to the least of the greatest rates so far, at which a run ends: the sine
+/// of the angle at a dead point is its inverse, and the coordinates are within half the square of the sine of their end.
+const MAX_GAIN: f64 = 1e3;
+
+/// Farthest input at the start: beyond it an angle has lost too many digits.
+const FARTHEST_INPUT: f64 = 1e6;
 
 /// Number of short steps, one after another, after which a run ends: it does not get past a singular pose.
 const MOST_SHORT: usize = 1000;
@@ -77,6 +91,11 @@ pub struct LagrangeRun {
     steps: Adaptive<WIDTH>,
     /// Number of short steps since the last longer one.
     short: usize,
+    /// Accelerations and torques at the current time.
+    now: Driven,
+    /// Greatest speed so far, and the least of the greatest turn rates of [`Freedoms::gain`].
+    fastest: f64,
+    gain: f64,
     /// Kinetic and potential energy at the start.
     opening: f64,
 }
@@ -114,6 +133,7 @@ pub struct Blocked {
 }
 
 /// Accelerations and torques under the drives.
+#[derive(Clone, Copy, Debug)]
 struct Driven {
     equations: Lagrange,
     accelerations: Coordinates,
@@ -151,70 +171,54 @@ impl LagrangeRun {
             return Err(NoRun::Rate);
         }
         let held = actuators.iter().map(|one| *one == Actuator::Rate);
-        let freedoms = Freedoms::new(motion, loading, held.collect(), input)?;
+        if input.abs() > FARTHEST_INPUT {
+            let (step, cause) = (StepId::FIRST, Cause::Input);
+            return Err(NoRun::Start(Unsolved { input, step, cause }));
+        }
+        let mut freedoms = Freedoms::new(motion, loading, held.collect(), input)?;
         let mut all = Coordinates::zeros();
         for (index, rate) in rates.iter().enumerate() {
             all[index] = rate / freedoms.units[index];
         }
+        let at = freedoms.coordinates();
+        let found = driven(&mut freedoms, actuators, [&at, &all]).map_err(NoRun::Start)?;
+        let (gain, step) = freedoms.gain();
+        let now = found.ok_or(if gain > MAX_GAIN {
+            let cause = Cause::DeadPoint;
+            NoRun::Start(Unsolved { input, step, cause })
+        } else {
+            NoRun::NoInertia
+        })?;
+        let along = now.equations.along;
         let mut run = Self {
-            at: freedoms.coordinates(),
+            at,
             rates: all,
             rest: [Coordinates::zeros(); 2],
             time: 0.0,
             work: 0.0,
             lost: 0.0,
-            steps: Adaptive::new(0.01, ROUNDING),
-            opening: 0.0,
+            steps: Adaptive::new(0.01),
+            opening: along.kinetic(1.0) + along.potential,
             short: 0,
             actuators: actuators.to_vec(),
+            fastest: 0.0,
+            now,
+            gain,
             freedoms,
         };
-        let (at, rates) = (run.at, run.rates);
-        let found = run.driven(&at, &rates).map_err(NoRun::Start)?;
-        let found = found.ok_or(NoRun::NoInertia)?;
-        run.opening = found.equations.along.kinetic(1.0) + found.equations.along.potential;
         // A first guess: the time in which a coordinate moves by a hundredth of its unit.
-        let speed = run.scale(&found.accelerations);
+        let speed = run.scale();
         if speed > 0.0 {
-            run.steps = Adaptive::new(0.01 / speed, ROUNDING);
+            run.steps = Adaptive::new(0.01 / speed);
         }
         Ok(run)
     }
 
-    /// The equations at coordinates and rates, solved; None inside if nothing with a mass moves.
-    fn driven(
-        &mut self,
-        at: &Coordinates,
-        rates: &Coordinates,
-    ) -> Result<Option<Driven>, Unsolved> {
-        let equations = self.freedoms.equations(at, rates)?;
-        let mut torques = Coordinates::zeros();
-        for (index, actuator) in self.actuators.iter().enumerate() {
-            if let Actuator::Motor(motor) = actuator {
-                // The unit of a coordinate is that of its virtual work.
-                let unit = self.freedoms.units[index];
-                torques[index] = motor.torque(rates[index] * unit)[0] * unit;
-            }
-        }
-        let found = equations.accelerations(&self.freedoms.held, &torques);
-        Ok(found.map(|accelerations| {
-            let needed = equations.torques(&accelerations);
-            for index in 0..self.actuators.len() {
-                if self.freedoms.held[index] {
-                    torques[index] = needed[index];
-                }
-            }
-            Driven {
-                equations,
-                accelerations,
-                torques,
-            }
-        }))
-    }
-
     /// Rate at which the coordinates move by their units, also from rest.
-    fn scale(&self, accelerations: &Coordinates) -> f64 {
-        self.rates.amax() + accelerations.amax().sqrt()
+    fn scale(&mut self) -> f64 {
+        let speed = self.rates.amax() + self.now.accelerations.amax().sqrt();
+        self.fastest = self.fastest.max(speed);
+        speed.max(SLOW * self.fastest)
     }
 
     /// The mechanism.
@@ -222,50 +226,54 @@ impl LagrangeRun {
         self.freedoms.mechanism()
     }
 
-    /// Writes the current pose, with derivatives with respect to time.
+    /// Coordinates of the drivers at the current time.
+    pub fn coordinates(&self) -> impl Iterator<Item = f64> + '_ {
+        let all = self.at.iter().zip(self.freedoms.units.iter());
+        all.map(|(at, unit)| at * unit).take(self.actuators.len())
+    }
+
+    /// Writes the current pose, with velocities as first derivatives.
     ///
     /// # Errors
-    /// The derivatives are not bounded.
+    /// The velocities are not bounded.
     pub fn place<const N: usize>(&mut self, pose: &mut Pose<N>) -> Result<(), Unsolved> {
         let [at, along] = [&self.at, &self.rates].map(|values| self.freedoms.own(values));
         self.freedoms.drivers.place([&at, &along], pose)
     }
 
     /// The state at the current time.
-    pub fn reading(&mut self) -> LagrangeReading {
-        let (at, rates) = (self.at, self.rates);
-        // Steps are taken only between poses with accelerations.
-        let found = self.driven(&at, &rates).ok().flatten();
-        let (accelerations, torques, along) = match found {
-            Some(found) => (found.accelerations, found.torques, found.equations.along),
-            None => Default::default(),
-        };
+    pub fn reading(&self) -> LagrangeReading {
         let own = |values: &Coordinates| self.freedoms.own(values);
+        let Driven {
+            equations,
+            accelerations,
+            torques,
+        } = &self.now;
         LagrangeReading {
             time: self.time,
-            coordinates: own(&at),
-            rates: own(&rates),
-            accelerations: own(&accelerations),
+            coordinates: own(&self.at),
+            rates: own(&self.rates),
+            accelerations: own(accelerations),
             torques: own(&torques.component_div(&self.freedoms.units.map(|unit| unit * unit))),
-            kinetic: along.kinetic(1.0),
-            potential: along.potential,
+            kinetic: equations.along.kinetic(1.0),
+            potential: equations.along.potential,
             work: self.work,
             lost: self.lost,
         }
     }
 
     /// Excess of the energy over what the account says, in units of energy: the error of the integration.
-    pub fn imbalance(&mut self) -> f64 {
+    pub fn imbalance(&self) -> f64 {
         let now = self.reading();
         now.kinetic + now.potential - self.opening - now.work + now.lost
     }
 
-    /// Advances to a time.
+    /// Advances to a time; nothing happens if the time is past or not finite.
     ///
     /// # Errors
     /// The run ends before. It stays at its last moment.
     pub fn advance(&mut self, time: f64) -> Result<(), Blocked> {
-        while self.time < time {
+        while self.time < time && time.is_finite() {
             let step = self.step(time - self.time);
             step.map_err(|unsolved| Blocked {
                 time: self.time,
@@ -280,37 +288,43 @@ impl LagrangeRun {
     }
 
     /// Makes a step of at most a given length.
-    fn step(&mut self, most: f64) -> Result<(), Unsolved> {
-        if self.short > MOST_SHORT {
-            return Err(self.singular());
-        }
-        let (at, rates) = (self.at, self.rates);
-        let mut fault = None;
-        let Some(here) = self.driven(&at, &rates)? else {
-            return Err(self.singular());
+    fn step(&mut self, asked: f64) -> Result<(), Unsolved> {
+        let (gain, step) = self.freedoms.gain();
+        let singular = Unsolved {
+            input: self.at[0] * self.freedoms.units[0],
+            step,
+            cause: Cause::DeadPoint,
         };
-        let scale = self.scale(&here.accelerations);
+        if self.short > MOST_SHORT || gain > MAX_GAIN * self.gain.max(1.0) {
+            return Err(singular);
+        }
+        self.gain = self.gain.min(gain);
+        let (at, rates, rest) = (self.at, self.rates, self.rest[0]);
+        let scale = self.scale();
         let (least, momentum) = if scale > 0.0 {
-            let momentum = here.equations.inertia.diagonal().amax() * scale;
+            let momentum = self.now.equations.inertia.diagonal().amax() * scale;
             (SHORTEST / scale, momentum)
         } else {
             (0.0, 1.0)
         };
         let mut start = [0.0; WIDTH];
         start[..FREEDOMS].copy_from_slice(rates.as_slice());
-        let (before, rest) = (self.steps, self.rest[0]);
-        let (asked, mut most) = (most, most);
-        let mut tries = 0;
+        let (mut most, mut tries) = (asked, 0);
+        let mut fault = None;
         loop {
-            let mut steps = before;
+            let mut steps = self.steps;
+            steps.round(Rounding {
+                relative: ROUNDING,
+                absolute: ROUNDING_AT_REST * self.fastest * self.fastest,
+            });
             let trial = steps.step(
                 [most, least.min(most)],
                 &start,
                 |moment| {
-                    let at =
-                        at + (rest + Coordinates::from_column_slice(&moment.moved[..FREEDOMS]));
+                    let moved = Coordinates::from_column_slice(&moment.moved[..FREEDOMS]);
                     let rates = Coordinates::from_column_slice(&moment.rates[..FREEDOMS]);
-                    match self.driven(&at, &rates) {
+                    let at = at + (rest + moved);
+                    match driven(&mut self.freedoms, &self.actuators, [&at, &rates]) {
                         Ok(Some(found)) => powers(&found, &rates, momentum),
                         Ok(None) => [f64::NAN; WIDTH],
                         Err(unsolved) => {
@@ -320,17 +334,17 @@ impl LagrangeRun {
                     }
                 },
                 |[moved, gained]| {
-                    let greatest = |values: [f64; WIDTH]| {
-                        let values = values[..FREEDOMS].iter();
-                        values.fold(0.0_f64, |most, value| most.max(value.abs()))
+                    let greatest = |values: &[f64]| {
+                        values
+                            .iter()
+                            .fold(0.0_f64, |most, value| most.max(value.abs()))
                     };
                     let speed = if scale > 0.0 { scale } else { 1.0 };
-                    greatest(moved).max(greatest(gained) / speed) / ERROR
+                    // Work and lost energy are gained like rates; their integrals have no meaning.
+                    greatest(&moved[..FREEDOMS]).max(greatest(&gained) / speed) / ERROR
                 },
             );
-            let Some(advance) = trial else {
-                return Err(fault.unwrap_or_else(|| self.singular()));
-            };
+            let advance = trial.ok_or(fault.unwrap_or(singular))?;
             // A step beyond a knot of a table would not see it if no stage is behind it: it ends at the knot.
             if let Some(part) = self.part_to_knot(&advance)
                 && tries < TRIALS
@@ -339,40 +353,47 @@ impl LagrangeRun {
                 most = advance.length * part;
                 continue;
             }
-            let mut next = at;
-            let mut left = rest;
+            let (mut next, mut left) = (at, rest);
+            let (mut gained, mut kept) = (rates, self.rest[1]);
             for index in 0..FREEDOMS {
                 next[index] = add(&mut left[index], at[index], advance.moved[index]);
-            }
-            let to = self.freedoms.own(&next);
-            if let Err(unsolved) = self.freedoms.drivers.move_to(&to) {
-                most = 0.5 * advance.length;
-                if most < least {
-                    return Err(unsolved);
-                }
-                continue;
-            }
-            (self.steps, self.at, self.rest[0]) = (steps, next, left);
-            for index in 0..self.actuators.len() {
                 // A rate that is kept has no rounding errors.
-                if !self.freedoms.held[index] {
-                    let rest = &mut self.rest[1][index];
-                    self.rates[index] = add(rest, rates[index], advance.gained[index]);
+                if self.freedoms.held.get(index) == Some(&false) {
+                    gained[index] = add(&mut kept[index], rates[index], advance.gained[index]);
                 }
             }
+            match self.taken(&next, &gained) {
+                Ok(Some(now)) => self.now = now,
+                refused if 0.5 * advance.length < least => {
+                    return Err(refused.err().unwrap_or(singular));
+                }
+                _ => {
+                    most = 0.5 * advance.length;
+                    continue;
+                }
+            }
+            (self.steps, self.at, self.rates) = (steps, next, gained);
+            self.rest = [left, kept];
             self.work += momentum * advance.gained[FREEDOMS];
             self.lost += momentum * advance.gained[FREEDOMS + 1];
             self.time += advance.length;
-            self.short = if advance.length * scale < SHORT && advance.length < asked {
-                self.short + 1
-            } else {
-                0
-            };
+            let is_short = advance.length * scale < SHORT && advance.length < asked;
+            self.short = if is_short { self.short + 1 } else { 0 };
             return Ok(());
         }
     }
 
-    /// Part of a step up to the first knot of a table that it passes.
+    /// Takes the pose at the end of a step, with its accelerations; None inside if nothing with a mass moves there.
+    fn taken(&mut self, at: &Coordinates, rates: &Coordinates) -> Result<Option<Driven>, Unsolved> {
+        let found = driven(&mut self.freedoms, &self.actuators, [at, rates])?;
+        if found.is_some() {
+            let to = self.freedoms.own(at);
+            self.freedoms.drivers.move_to(&to)?;
+        }
+        Ok(found)
+    }
+
+    /// Part of a step up to the first knot of a table that it passes, of a load or of a motor.
     fn part_to_knot(&self, advance: &Advance<WIDTH>) -> Option<f64> {
         let (from, by) = (self.at[0], advance.moved[0]);
         let unit = self.freedoms.units[0];
@@ -387,19 +408,57 @@ impl LagrangeRun {
             way / by
         });
         let near = tolerance::NEGLIGIBLE / by.abs();
+        let of_motors = self
+            .actuators
+            .iter()
+            .enumerate()
+            .flat_map(|(index, actuator)| {
+                let knots: &[[f64; 2]] = match actuator {
+                    Actuator::Motor(Motor::Table(knots)) => knots,
+                    _ => &[],
+                };
+                let (rate, gained) = (self.rates[index], advance.gained[index]);
+                let unit = self.freedoms.units[index];
+                let near = tolerance::NEGLIGIBLE * rate.abs().max(gained.abs()) / gained.abs();
+                let parts = knots
+                    .iter()
+                    .map(move |[knot, _]| (knot / unit - rate) / gained);
+                parts.filter(move |part| *part > near && *part < 1.0 - near)
+            });
         parts
             .filter(|part| *part > near && *part < 1.0 - near)
+            .chain(of_motors)
             .min_by(f64::total_cmp)
     }
+}
 
-    /// The reason for a pose whose accelerations are not found.
-    fn singular(&self) -> Unsolved {
-        Unsolved {
-            input: self.at[0] * self.freedoms.units[0],
-            step: self.freedoms.most_singular(),
-            cause: Cause::DeadPoint,
+/// The equations at coordinates and rates, solved; None inside if nothing with a mass moves.
+fn driven(
+    freedoms: &mut Freedoms,
+    actuators: &[Actuator],
+    [at, rates]: [&Coordinates; 2],
+) -> Result<Option<Driven>, Unsolved> {
+    let equations = freedoms.equations(at, rates)?;
+    let mut torques = Coordinates::zeros();
+    for (index, actuator) in actuators.iter().enumerate() {
+        if let Actuator::Motor(motor) = actuator {
+            // Coordinates have units, and so has their virtual work.
+            let unit = freedoms.units[index];
+            torques[index] = motor.torque(rates[index] * unit)[0] * unit;
         }
     }
+    let found = equations.accelerations(&freedoms.held, &torques);
+    Ok(found.map(|accelerations| {
+        let needed = equations.torques(&accelerations);
+        for index in (0..actuators.len()).filter(|index| freedoms.held[*index]) {
+            torques[index] = needed[index];
+        }
+        Driven {
+            equations,
+            accelerations,
+            torques,
+        }
+    }))
 }
 
 /// Accelerations, with the powers of the drives and loads and of what is lost, divided by a momentum.

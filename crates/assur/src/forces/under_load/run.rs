@@ -5,7 +5,7 @@ use crate::angle::sum;
 use crate::forces::{Defect, Loading, Motor, Unbalanced};
 use crate::mechanism::Unsolved;
 use crate::motion::{DeadPoint, Motion};
-use crate::numeric::gauss::{Adaptive, Advance, FLOOR};
+use crate::numeric::gauss::{Adaptive, Advance};
 use crate::tolerance;
 
 /// Error of a step before its extrapolation, relative to a radian of the input.
@@ -143,7 +143,7 @@ impl Run {
                 work: 0.0,
                 lost: 0.0,
             },
-            steps: Adaptive::new(length, FLOOR),
+            steps: Adaptive::new(length),
             fastest: 0.0,
         })
     }

@@ -24,7 +24,7 @@ fn run(steps: u32, end: f64) -> ([f64; N], [f64; N]) {
     for at in 0..steps {
         let start = length * f64::from(at);
         let f = |moment: &Moment| accelerations(start, &q, moment);
-        let step = step(&mut past, [length, FLOOR], &v, f).unwrap();
+        let step = step(&mut past, length, &v, f).unwrap();
         for n in 0..N {
             q[n] += step.moved[n];
             v[n] += step.gained[n];
@@ -67,7 +67,7 @@ fn closed_forms() {
 #[test]
 fn adaptive_steps() {
     let (mut q, mut v, mut time, mut count) = (2.5_f64, 0.0_f64, 0.0_f64, 0);
-    let mut steps = Adaptive::<1>::new(1.0, FLOOR);
+    let mut steps = Adaptive::<1>::new(1.0);
     while time < 100.0 {
         let f = |moment: &super::Moment<1>| [-(q + moment.moved[0]).sin()];
         let error = |[moved, gained]: [[f64; 1]; 2]| moved[0].abs().max(gained[0].abs()) / 1e-13;
@@ -93,7 +93,7 @@ fn a_pendulum_keeps_its_energy() {
     let mut worst = [0.0_f64; 2];
     for at in 0..200_000 {
         let f = |moment: &Moment| [-(q[0] + moment.moved[0]).sin(), 0.0, 0.0, 0.0];
-        let step = step(&mut past, [0.25, FLOOR], &v, f).unwrap();
+        let step = step(&mut past, 0.25, &v, f).unwrap();
         q[0] += step.moved[0];
         v[0] += step.gained[0];
         let half = usize::from(at >= 100_000);
@@ -107,5 +107,5 @@ fn a_pendulum_keeps_its_energy() {
 fn a_step_too_long_is_told() {
     let mut past = Past::NONE;
     let f = |moment: &Moment| [-1e6 * moment.moved[0] - 1.0, 0.0, 0.0, 0.0];
-    assert!(step(&mut past, [0.1, FLOOR], &[0.0; N], f).is_none());
+    assert!(step(&mut past, 0.1, &[0.0; N], f).is_none());
 }
