@@ -219,7 +219,7 @@ impl UnderLoad {
         }
         let (rests, motion) = match &mut self.run {
             Running::One(run) => (run.rests(), Some(run.motion())),
-            Running::Several(_) => (false, None),
+            Running::Several(several) => (several.0.rests(), None),
         };
         let at = motion.zip(end.at);
         RunHere {

@@ -9,7 +9,7 @@ use crate::motion::Motion;
 use crate::numeric::gauss::{Adaptive, Advance, Rounding};
 use crate::tolerance;
 
-use super::run::{ERROR, TRIALS, add};
+use super::run::{ERROR, REST, TRIALS, add};
 
 /// Coordinates of the drivers, with the work and the lost energy.
 const WIDTH: usize = FREEDOMS + 2;
@@ -27,6 +27,10 @@ const SHORT: f64 = 1e-5;
 
 /// Part of the greatest speed so far below which speeds only count as this part.
 const SLOW: f64 = 1e-5;
+
+/// Part of the greatest speed so far below which the linkage is at rest: accelerations from which it would come are not
+/// far from rounding.
+const STILL: f64 = 1e-7;
 
 /// Turn rate of a body by a coordinate, relative to the least of the greatest rates so far, at which a run ends: the sine
 /// of the angle at a dead point is its inverse, and the coordinates are within half the square of the sine of their end.
@@ -207,7 +211,7 @@ impl LagrangeRun {
             freedoms,
         };
         // A first guess: the time in which a coordinate moves by a hundredth of its unit.
-        let speed = run.scale();
+        let speed = run.speed();
         if speed > 0.0 {
             run.steps = Adaptive::new(0.01 / speed);
         }
@@ -215,10 +219,14 @@ impl LagrangeRun {
     }
 
     /// Rate at which the coordinates move by their units, also from rest.
-    fn scale(&mut self) -> f64 {
-        let speed = self.rates.amax() + self.now.accelerations.amax().sqrt();
-        self.fastest = self.fastest.max(speed);
-        speed.max(SLOW * self.fastest)
+    fn speed(&self) -> f64 {
+        self.rates.amax() + self.now.accelerations.amax().sqrt()
+    }
+
+    /// True if nothing moves, or moves any more: the speed, and that which the acceleration would give within a radian,
+    /// are a small part of the greatest so far.
+    pub fn rests(&self) -> bool {
+        self.speed() <= REST * self.fastest
     }
 
     /// The mechanism.
@@ -300,7 +308,13 @@ impl LagrangeRun {
         }
         self.gain = self.gain.min(gain);
         let (at, rates, rest) = (self.at, self.rates, self.rest[0]);
-        let scale = self.scale();
+        let speed = self.speed();
+        self.fastest = self.fastest.max(speed);
+        if speed < STILL * self.fastest {
+            self.time += asked;
+            return Ok(());
+        }
+        let scale = speed.max(SLOW * self.fastest);
         let (least, momentum) = if scale > 0.0 {
             let momentum = self.now.equations.inertia.diagonal().amax() * scale;
             (SHORTEST / scale, momentum)

@@ -16,7 +16,7 @@ pub(super) const ERROR: f64 = 1e-13;
 const AT_END: f64 = tolerance::COINCIDENT;
 
 /// Part of the greatest speed below which a linkage is at rest.
-const REST: f64 = 1e-4;
+pub(super) const REST: f64 = 1e-4;
 
 /// Most trials for a step that ends at a knot of a table.
 pub(super) const TRIALS: usize = 6;
