@@ -333,7 +333,7 @@ fn a_run_ends_at_a_singular_pose() {
     assert_eq!(end.unsolved.cause, Cause::DeadPoint);
     let links: Vec<&str> = motion.mechanism().links_of(end.unsolved.step).collect();
     assert_eq!(links, ["BC", "DC"]);
-    let mut pose = motion.mechanism().blank::<2>();
+    let mut pose = motion.mechanism().blank::<3>();
     run.place(&mut pose).unwrap();
     let [b, c, d] = ["B", "C", "D"].map(|name| {
         let point = motion.mechanism().point(name).unwrap();

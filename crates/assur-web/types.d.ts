@@ -466,13 +466,15 @@ export type RelationHere = { item: string, name: string,
 export type RunHere = { 
 /**
  * Readings, each of eight numbers: time, input, rate, acceleration; in joules the kinetic and potential energy, the
- * work of the motor and of the given forces, and the energy lost in resistances, dampers and friction.
+ * work of the motors and of the given forces, and the energy lost in resistances, dampers and friction. Then come
+ * coordinate, rate and acceleration of each further driver.
  */
 readings: Array<number>, 
 /** Whether nothing moves any more. */ rests: boolean, 
 /** Whether the motion ends at the last reading. */ ends: boolean, 
 /** Whether it ends because the linkage locks itself by friction. */ locks: boolean, 
-/** The end, if it is one of the motion of the linkage. */ at: DeadPointSummary | null, };
+/** The end, if it is one of the motion of the linkage. */ at: DeadPointSummary | null, 
+/** The reason why a motion of several freedoms ends. */ problems: readonly Problem[], };
 export type SchemeSummary = { 
 /** Always null: a scheme has no motion. */ moves: null, bounds: [number, number, number, number], handles: Array<HandleSummary>, roles: { [key in string]: string }, planar: boolean, 
 /** Names of the links, the ground first. */ links: Array<string>, pairs: Array<PairSummary>, counts: CountSummary, mobility: number, redundant: number, 

@@ -1,6 +1,6 @@
 //! Motion under load on the page: a run in time by the engine's numbers, and the flywheel of a press, put on its crank.
 
-use assur::forces::{Diagram, Loading, Motor, Run};
+use assur::forces::{Diagram, LagrangeRun, Loading, Motor, Run};
 use assur::motion::Motion;
 use assur_file::LinkageDocument;
 use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
@@ -173,4 +173,83 @@ async fn a_motor_drives_the_press() {
     let expected = format!("{:.2}", diagram.rate());
     assert!(said.contains(&expected[..4]), "{said}, {expected}");
     page.press("cycle-delta", Key::Tab).await;
+}
+
+/// Two cranks of a five-bar: a motor on the first, the second free.
+fn five_bar() -> Value {
+    json!({
+        "unit": "mm",
+        "points": [
+            {"name": "A", "at": [0, 0]}, {"name": "B", "at": [-100, 150]}, {"name": "C", "at": [350, 700]},
+            {"name": "D", "at": [820, 180]}, {"name": "E", "at": [600, 0]}
+        ],
+        "frame": ["A", "E"],
+        "links": [
+            {"name": "AB", "points": ["A", "B"], "mass_kg": 1},
+            {"name": "BC", "points": ["B", "C"], "mass_kg": 1},
+            {"name": "DC", "points": ["D", "C"], "mass_kg": 1},
+            {"name": "ED", "points": ["E", "D"], "mass_kg": 1}
+        ],
+        "drivers": [{"crank": "AB"}, {"crank": "ED"}],
+        "gravity": [0, -9.81],
+        "motor": {"stall": 5, "no_load": 10}
+    })
+}
+
+/// Each driver of a five-bar has fields of its own; the drawing shows the pose of the run, and a driver that keeps its rate
+/// at zero stands still.
+#[tokio::test]
+async fn a_run_of_two_drivers() {
+    let page = open(&five_bar()).await;
+    page.until("fields of both drivers", async || {
+        page.count("#motor-sort-1").await == 1
+    })
+    .await;
+    assert_eq!(
+        page.text("under-load-shown")
+            .await
+            .matches("Driver")
+            .count(),
+        2
+    );
+    let ends = |document: &Value| {
+        let document: LinkageDocument = serde_json::from_value(document.clone()).unwrap();
+        let motion = document.motion().unwrap();
+        let loading = document.loading(motion.mechanism()).unwrap();
+        let (actuators, rates) = document.actuators(0.0).unwrap();
+        let mut run = LagrangeRun::new(&motion, &loading, &actuators, 0.0, &rates).unwrap();
+        run.advance(0.2).unwrap();
+        run.reading().coordinates
+    };
+    page.write("run-until", "0.2").await;
+    page.click("run-go").await;
+    let over = async || {
+        page.text("run-status")
+            .await
+            .starts_with("The time is over")
+    };
+    page.until("the end", &over).await;
+    page.settle().await;
+    let first = page.value("out-input").await;
+    let expected = ends(&five_bar())[0].to_degrees().rem_euclid(360.0);
+    assert!((first - expected).abs() < 1e-3, "{first}, {expected}");
+    assert_eq!(page.count("#run-rate .load-key").await, 2);
+    // The second crank is held.
+    page.choose("motor-sort-1", "kept").await;
+    page.until("no run", async || page.count("#run-plots svg").await == 0)
+        .await;
+    page.click("run-go").await;
+    page.until("the end", &over).await;
+    page.settle().await;
+    assert_eq!(page.count("#run-plots svg").await, 3);
+    page.click("run-csv").await;
+    let table = String::from_utf8(page.saved("run.csv").await).unwrap();
+    let mut lines = table.lines();
+    let columns: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(columns[8..], ["ED.input", "ED.rate", "ED.acceleration"]);
+    let rates: Vec<&str> = lines.map(|line| line.split(',').nth(9).unwrap()).collect();
+    assert!(
+        rates.len() > 1 && rates.iter().all(|rate| *rate == "0"),
+        "{rates:?}"
+    );
 }

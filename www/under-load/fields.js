@@ -23,7 +23,10 @@ const MOTORS = Object.freeze(/** @type {const} */ ({
   kloss: { pull_out: 20, slip: 0.2, synchronous: 20 },
   table: { table: [[0, 20], [20, 0]] },
 }));
-const SORTS = Object.freeze(/** @type {const} */ (["none", "constant", "linear", "kloss", "table"]));
+/** Sorts of drives; a driver that keeps its rate has no motor. */
+const SORTS = Object.freeze(/** @type {const} */ (["none", "constant", "linear", "kloss", "table", "kept"]));
+/** @typedef {typeof SORTS[number]} Sort */
+/** @typedef {LinkageDocument["drivers"][number]} Driver */
 
 /** @type {readonly (readonly [Part, Unit, string])[]} numbers of motors with their units and the keys of their names */
 const PARTS = Object.freeze(/** @type {const} */ ([
@@ -35,15 +38,24 @@ const PARTS = Object.freeze(/** @type {const} */ ([
   ["synchronous", "rate", "field.motor.synchronous"],
 ]));
 
-const TABLE = "motor.table";
-
 /**
  * @param {Motor | null | undefined} motor
- * @returns {keyof typeof MOTORS}
+ * @param {Driver | undefined} driver
+ * @returns {Sort}
  */
-function sortOf(motor) {
-  if (!motor) return "none";
-  return SORTS.find((sort) => Object.keys(MOTORS[sort] ?? {}).some((name) => motor[/** @type {keyof Motor} */ (name)] != null)) ?? "none";
+function sortOf(motor, driver) {
+  if (!motor) return driver?.keeps_rate ? "kept" : "none";
+  const has = (/** @type {Sort} */ sort) => sort !== "kept" && Object.keys(MOTORS[sort] ?? {}).some((name) => motor[/** @type {keyof Motor} */ (name)] != null);
+  return SORTS.find(has) ?? "none";
+}
+
+/**
+ * @param {Driver | undefined} driver
+ * @param {Words} words
+ * @returns {string} name of the driven link, or of the slide
+ */
+export function drivenName(driver, words) {
+  return driver?.crank ?? words.text("under_load.slide", { number: `${(driver?.slide ?? 0) + 1}` });
 }
 
 /**
@@ -57,75 +69,94 @@ export function pairsOf(text) {
   return sound ? /** @type {[number, number][]} */ (pairs) : null;
 }
 
+/** Motor and initial rate of a driver; those of the first one, and its flywheel, are fields of the document itself. */
 export class Fields {
   #page;
-  #sort = make("select", { id: "motor-sort", class: "control" });
+  #driver;
+  #prefix;
+  #heading = make("h3", {});
+  #sort;
   /** @type {{ element: HTMLElement, unit: HTMLElement, why: HTMLElement, box: NumberBox, field: string, sort: Unit, value: (document: LinkageDocument) => number | null | undefined }[]} */
   #rows;
   #table;
   #tableRow;
-  #lang = "";
+  /** Language and sorts in which the options are written. */
+  #written = "";
 
-  /** @param {import("assur/app/page.js").Page} page */
-  constructor(page) {
+  /**
+   * @param {import("assur/app/page.js").Page} page
+   * @param {number} driver its index
+   */
+  constructor(page, driver) {
     this.#page = page;
+    this.#driver = driver;
+    this.#prefix = driver === 0 ? "" : `drivers[${driver}].`;
+    this.#sort = make("select", { id: driver === 0 ? "motor-sort" : `motor-sort-${driver}`, class: "control" });
     const motor = (/** @type {Part} */ part) => (/** @type {number} */ value) => this.#set(({ motor: now }) => ({ motor: { ...now, [part]: value } }));
-    this.#rows = PARTS.map(([part, unit, key]) => this.#row(`motor.${part}`, key, unit, motor(part), (document) => document.motor?.[part]));
-    this.#rows.push(this.#row("initial_rate", "field.initial_rate", "rate", (value) => this.#set(() => ({ initial_rate: value === 0 ? undefined : value })), (document) => document.initial_rate ?? 0));
-    this.#rows.push(this.#row("flywheel", "field.flywheel", "inertia", (value) => this.#set(() => ({ flywheel: value === 0 ? undefined : value })), (document) => document.flywheel ?? 0));
-    this.#sort.addEventListener("change", () => this.#choose(/** @type {keyof typeof MOTORS} */ (this.#sort.value)));
-    this.#table = make("input", { id: "field-motor.table", class: "control long", type: "text", autocomplete: "off", spellcheck: "false", "data-t-label": "field.motor.table" });
+    this.#rows = PARTS.map(([part, unit, key]) => this.#row(`motor.${part}`, key, unit, motor(part), (document) => this.#own(document).motor?.[part]));
+    this.#rows.push(this.#row("initial_rate", "field.initial_rate", "rate", (value) => this.#set(() => ({ initial_rate: value === 0 && driver === 0 ? undefined : value })), (document) => this.#initialRate(document)));
+    if (driver === 0) this.#rows.push(this.#row("flywheel", "field.flywheel", "inertia", (value) => this.#page.store.update((state) => edited(state, "linkage", () => ({ flywheel: value === 0 ? undefined : value }))), (document) => document.flywheel ?? 0));
+    this.#sort.addEventListener("change", () => this.#choose(/** @type {Sort} */ (this.#sort.value)));
+    this.#table = make("input", { id: `field-${this.#prefix}motor.table`, class: "control long", type: "text", autocomplete: "off", spellcheck: "false", "data-t-label": "field.motor.table" });
     this.#table.addEventListener("input", () => {
       const table = pairsOf(this.#table.value);
-      if (!table) page.drafts.keep(TABLE);
+      if (!table) page.drafts.keep(this.#tableField);
       else {
-        page.drafts.drop(TABLE);
+        page.drafts.drop(this.#tableField);
         this.#set(() => ({ motor: { table } }));
       }
     });
     this.#tableRow = make("div", { class: "load-field" }, [make("label", { for: this.#table.id, "data-t": "field.motor.table" }), this.#table]);
     const sort = make("div", { class: "load-field" }, [make("label", { for: this.#sort.id, "data-t": "under_load.motor" }), this.#sort]);
-    this.element = make("div", { class: "load-fields" }, [sort, ...this.#rows.slice(0, PARTS.length).map(({ element }) => element), this.#tableRow, ...this.#rows.slice(PARTS.length).map(({ element }) => element)]);
+    this.element = make("div", { class: "load-fields" }, [this.#heading, sort, ...this.#rows.slice(0, PARTS.length).map(({ element }) => element), this.#tableRow, ...this.#rows.slice(PARTS.length).map(({ element }) => element)]);
   }
 
   /**
    * @param {LinkageDocument} document
    * @param {readonly Problem[]} problems of the engine with the forces
-   * @param {boolean} turns whether a crank is driven
    * @param {Words} words
    */
-  render(document, problems, turns, words) {
-    if (this.#lang !== words.lang) {
-      this.#lang = words.lang;
-      render(SORTS.map((sort) => html`<option value=${sort}>${words.text(`under_load.motor.${sort}`)}</option>`), this.#sort);
+  render(document, problems, words) {
+    const several = document.drivers.length > 1;
+    const driver = document.drivers[this.#driver];
+    const turns = driver?.crank != null;
+    const written = `${words.lang} ${several}`;
+    if (this.#written !== written) {
+      this.#written = written;
+      const sorts = SORTS.filter((sort) => several || sort !== "kept");
+      render(sorts.map((sort) => html`<option value=${sort}>${words.text(`under_load.motor.${sort}`)}</option>`), this.#sort);
     }
-    const { motor } = document;
-    const sort = sortOf(motor);
+    this.#heading.hidden = !several;
+    write(this.#heading, several ? words.text("under_load.driver", { name: drivenName(driver, words) }) : "");
+    const { motor } = this.#own(document);
+    const sort = sortOf(motor, driver);
     if (this.#sort.value !== sort) this.#sort.value = sort;
     for (const { element, unit, why, box, field, sort: of, value: read } of this.#rows) {
       const value = read(document);
       element.hidden = value == null || (field === "flywheel" && !turns && value === 0);
       if (value == null) continue;
-      const own = problems.filter(({ path, code }) => path === field.split(".")[0] || (field === "flywheel" && code === "flywheel_no_crank"));
+      const part = field.startsWith(`${this.#prefix}motor.`) ? `${this.#prefix}motor` : field;
+      const own = problems.filter(({ path, code }) => path === part || (field === "flywheel" && code === "flywheel_no_crank"));
       box.show(value, { brief: words.numbers.brief(value), full: words.numbers.exact(value) }, own.length > 0);
       write(unit, unitOf(of, turns, words));
       write(why, own.map((problem) => sentence(problem, words, document)).join(" "));
     }
     this.#tableRow.hidden = sort !== "table";
-    const written = (motor?.table ?? []).map((pair) => pair.map((one) => words.numbers.exact(one)).join(" ")).join("; ");
-    const bad = this.#page.drafts.has(TABLE);
-    if (globalThis.document.activeElement !== this.#table && !bad) this.#table.value = written;
-    this.#table.setAttribute("aria-invalid", String(bad || (sort === "table" && problems.some(({ path }) => path === "motor"))));
+    const table = (motor?.table ?? []).map((pair) => pair.map((one) => words.numbers.exact(one)).join(" ")).join("; ");
+    const bad = this.#page.drafts.has(this.#tableField);
+    if (globalThis.document.activeElement !== this.#table && !bad) this.#table.value = table;
+    this.#table.setAttribute("aria-invalid", String(bad || (sort === "table" && problems.some(({ path }) => path === `${this.#prefix}motor`))));
   }
 
   /**
-   * @param {string} field
+   * @param {string} name of the field
    * @param {string} key
    * @param {Unit} sort
    * @param {(value: number) => void} set
    * @param {(document: LinkageDocument) => number | null | undefined} value
    */
-  #row(field, key, sort, set, value) {
+  #row(name, key, sort, set, value) {
+    const field = this.#prefix + name;
     const input = numberField({ id: `field-${field}`, "data-t-label": key });
     const unit = make("span", { class: "load-unit" });
     const why = make("p", { class: "load-why", role: "alert" });
@@ -133,16 +164,43 @@ export class Fields {
     return { element, unit, why, field, sort, value, box: new NumberBox(input, field, this.#page.drafts, set) };
   }
 
-  /** @param {keyof typeof MOTORS} sort */
+  /** @param {Sort} sort */
   #choose(sort) {
-    this.#page.drafts.dropAll([...PARTS.map(([part]) => `motor.${part}`), TABLE]);
-    const motor = MOTORS[sort];
-    this.#set(() => ({ motor: motor ? /** @type {Motor} */ (motor) : undefined }));
+    this.#page.drafts.dropAll([...PARTS.map(([part]) => `${this.#prefix}motor.${part}`), this.#tableField]);
+    const motor = sort === "kept" ? null : MOTORS[sort];
+    this.#set(() => ({ motor: motor ? /** @type {Motor} */ (motor) : undefined }), sort === "kept" || undefined);
   }
 
-  /** @param {(document: LinkageDocument) => Partial<LinkageDocument>} change */
-  #set(change) {
-    this.#page.store.update((state) => edited(state, "linkage", change));
+  get #tableField() {
+    return `${this.#prefix}motor.table`;
+  }
+
+  /**
+   * @param {LinkageDocument} document
+   * @returns {{ motor?: Motor | null, initial_rate?: number | null }} what has the motor of the driver
+   */
+  #own(document) {
+    return this.#driver === 0 ? document : document.drivers[this.#driver] ?? {};
+  }
+
+  /** @param {LinkageDocument} document */
+  #initialRate(document) {
+    const first = document.initial_rate ?? 0;
+    const driver = document.drivers[this.#driver];
+    return this.#driver === 0 ? first : driver?.initial_rate ?? first * (driver?.rate ?? 1);
+  }
+
+  /**
+   * @param {(own: { motor?: Motor | null, initial_rate?: number | null }) => { motor?: Motor, initial_rate?: number }} change
+   * @param {(boolean | undefined)[]} keeps whether the driver keeps its rate; left out, that does not change
+   */
+  #set(change, ...keeps) {
+    this.#page.store.update((state) => edited(state, "linkage", (document) => {
+      const changed = change(this.#own(document));
+      const ofDriver = { ...(this.#driver === 0 ? {} : changed), ...(keeps.length > 0 ? { keeps_rate: keeps[0] } : {}) };
+      const drivers = document.drivers.map((driver, k) => (k === this.#driver ? { ...driver, ...ofDriver } : driver));
+      return { ...(this.#driver === 0 ? changed : {}), ...(Object.keys(ofDriver).length > 0 ? { drivers } : {}) };
+    }));
   }
 }
 

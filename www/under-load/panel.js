@@ -9,14 +9,15 @@ import { attempt } from "assur/core/problem.js";
 import { sentence } from "assur/controls/problems.js";
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { Cycle } from "assur/under-load/cycle.js";
-import { Fields, unitOf } from "assur/under-load/fields.js";
+import { Fields, drivenName, unitOf } from "assur/under-load/fields.js";
 import { plot } from "assur/under-load/plot.js";
-import { LoadRun, READING } from "assur/under-load/run.js";
+import { LoadRun } from "assur/under-load/run.js";
 
 /**
  * @typedef {import("assur/state/model.js").Snapshot} Snapshot
  * @typedef {import("assur/core/problem.js").Problem} Problem
  * @typedef {import("assur/core/words.js").Words} Words
+ * @typedef {import("assur/state/state.js").LinkageDocument} LinkageDocument
  */
 
 /** Factors of time in which a run is played. */
@@ -30,9 +31,14 @@ const COLUMNS = Object.freeze(["t", "input", "rate", "acceleration", "kinetic", 
 /** Energies in a reading: place, key of the name, colour. */
 const ENERGIES = Object.freeze(/** @type {const} */ ([[4, "under_load.kinetic", "accent1"], [5, "under_load.potential", "accent2"], [6, "under_load.work", "accent3"], [7, "under_load.lost", "accent4"]]));
 
+/** Colours of the drivers. */
+const ROLES = Object.freeze(/** @type {const} */ (["accent1", "accent2", "accent3", "accent4"]));
+
 export class UnderLoad {
   #page;
+  /** @type {Fields[]} of each driver */
   #fields;
+  #motors = make("div", {});
   #run;
   #cycle;
   #go = this.#button("run-go", "under_load.run", () => this.#begin());
@@ -46,6 +52,7 @@ export class UnderLoad {
   #status = make("p", { id: "run-status", role: "status" });
   #account = make("p", { id: "run-account" });
   #plots = make("div", { class: "load-plots", id: "run-plots" });
+  #note = make("p", {});
   #none = make("p", { id: "under-load-none", "data-t": "under_load.linkage_only" });
   #body;
   #drawn = -1;
@@ -61,7 +68,8 @@ export class UnderLoad {
   /** @param {import("assur/app/page.js").Page} page */
   constructor(page) {
     this.#page = page;
-    this.#fields = new Fields(page);
+    this.#fields = [new Fields(page, 0)];
+    this.#motors.append(this.#fields[0].element);
     this.#run = new LoadRun(page);
     this.#cycle = new Cycle(page);
     this.#pace.addEventListener("change", () => {
@@ -79,8 +87,7 @@ export class UnderLoad {
     const until = make("label", { class: "load-field" }, [make("span", { "data-t": "under_load.until" }), this.#until]);
     const buttons = make("div", { class: "load-buttons", role: "group", "data-t-label": "under_load.heading" }, [this.#go, this.#stop, this.#rewind, this.#pace, until]);
     const shown = make("div", { class: "load-buttons" }, [this.#across, this.#save]);
-    const note = make("p", { "data-t": "under_load.one_freedom" });
-    this.#body = make("div", {}, [note, this.#fields.element, buttons, this.#status, shown, this.#plots, this.#account, this.#cycle.element]);
+    this.#body = make("div", {}, [this.#note, this.#motors, buttons, this.#status, shown, this.#plots, this.#account, this.#cycle.element]);
     this.element = make("section", { id: "under-load-shown", "data-field": "under_load" }, [make("h2", { "data-t": "under_load.heading" }), this.#none, this.#body]);
     byId("readouts", HTMLTableElement).after(this.element);
     page.words.fill(this.element);
@@ -91,7 +98,7 @@ export class UnderLoad {
     const { state, stale, words, numbersDue, coordinate, problems } = snapshot;
     // A document whose forces are refused keeps its fields.
     if (stale) {
-      if (state.kind === "linkage") this.#fields.render(state.document, problems, coordinate.moves === "angle", words);
+      if (state.kind === "linkage") this.#write(state.document, problems, words);
       return;
     }
     this.element.hidden = !state.view.under_load;
@@ -108,7 +115,8 @@ export class UnderLoad {
     if (this.#words !== words) this.#translate(words);
     const turns = coordinate.moves === "angle";
     if (this.#checked !== state.document) this.#check(state.document);
-    this.#fields.render(state.document, [...this.#problems, ...this.#refused], turns, words);
+    this.#write(state.document, [...this.#problems, ...this.#refused], words);
+    this.#cycle.element.hidden = state.document.drivers.length > 1;
     this.#cycle.render(snapshot, words);
     this.#untilBox.show(this.#run.until, { brief: words.numbers.brief(this.#run.until), full: words.numbers.exact(this.#run.until) }, false);
     this.#tell(snapshot);
@@ -117,7 +125,26 @@ export class UnderLoad {
     this.#stop.disabled = !(this.#run.exists && state.view.playing);
     if (this.#drawn === readings.length) return;
     this.#drawn = readings.length;
-    this.#draw(turns, words);
+    this.#draw(state.document.drivers, turns, words);
+  }
+
+  /**
+   * Shows the fields of each driver.
+   * @param {LinkageDocument} document
+   * @param {readonly Problem[]} problems
+   * @param {Words} words
+   */
+  #write(document, problems, words) {
+    const { drivers } = document;
+    write(this.#note, words.text(drivers.length > 1 ? "under_load.several_freedoms" : "under_load.one_freedom"));
+    while (this.#fields.length > Math.max(drivers.length, 1)) this.#fields.pop()?.element.remove();
+    while (this.#fields.length < drivers.length) {
+      const fields = new Fields(this.#page, this.#fields.length);
+      this.#fields.push(fields);
+      this.#motors.append(fields.element);
+      words.fill(fields.element);
+    }
+    for (const fields of this.#fields) fields.render(document, problems, words);
   }
 
   /** @param {Words} words */
@@ -148,16 +175,17 @@ export class UnderLoad {
 
   /** @param {Snapshot} snapshot */
   #tell({ state, words }) {
-    const { end, at, time, exists } = this.#run;
+    const { end, at, time, exists, problems } = this.#run;
     const known = [...this.#problems, ...this.#refused];
-    const fields = ["motor", "initial_rate", "flywheel"];
-    const others = known.filter(({ path, code }) => !fields.includes(String(path)) && code !== "flywheel_no_crank");
+    const others = known.filter(({ path, code }) => !/(^|\.)(motor|initial_rate|keeps_rate)$|^flywheel$/.test(String(path)) && code !== "flywheel_no_crank");
     const t = `${words.numbers.upTo(time, 3)} ${words.text("unit.s")}`;
     const links = at ? at.links.map((link) => called(link, words)).join(", ") : "";
     const said = others.length > 0
       ? others.map((problem) => sentence(problem, words, state.document)).join(" ")
       : end === "ended" && at
         ? words.text("under_load.end.dead", { t, why: words.text(`dead.${at.kind}`), links })
+        : end === "ended" && problems.length > 0
+        ? `${words.text("under_load.end.several", { t })} ${problems.map((problem) => sentence(problem, words, state.document)).join(" ")}`
         : end
           ? words.text({ ended: "under_load.end.stopped", locked: "under_load.end.locked", rests: "under_load.end.rests", over: "under_load.end.over" }[end], { t })
           : exists
@@ -167,16 +195,17 @@ export class UnderLoad {
   }
 
   /**
+   * @param {LinkageDocument["drivers"]} drivers
    * @param {boolean} turns
    * @param {Words} words
    */
-  #draw(turns, words) {
-    const { readings } = this.#run;
+  #draw(drivers, turns, words) {
+    const { readings, width } = this.#run;
     const { numbers } = words;
-    const count = readings.length / READING;
+    const count = readings.length / width;
     const every = Math.max(1, Math.ceil(count / POINTS));
-    const rows = Array.from({ length: Math.ceil(count / every) }, (_, k) => Math.min(k * every, count - 1) * READING);
-    if (count > 0) rows.push((count - 1) * READING);
+    const rows = Array.from({ length: Math.ceil(count / every) }, (_, k) => Math.min(k * every, count - 1) * width);
+    if (count > 0) rows.push((count - 1) * width);
     const overTime = this.#across.value !== "φ";
     const x = (/** @type {number} */ row) => (overTime ? readings[row] : turns ? degrees(readings[row + 1]) : readings[row + 1]);
     const line = (/** @type {number} */ place) => rows.map((row) => /** @type {const} */ ([x(row), readings[row + place]]));
@@ -184,10 +213,15 @@ export class UnderLoad {
     const across = overTime ? `t, ${second}` : turns ? "φ, °" : `s${words.unit && `, ${words.unit}`}`;
     const rate = unitOf("rate", turns, words);
     const energy = words.unit === "" ? "" : `, ${words.text("under_load.unit.energy")}`;
+    // Rates and accelerations of the drivers that move as the first one does; those of the others have another unit.
+    const alike = drivers.map((driver, k) => ({ k, name: drivenName(driver, words) })).filter(({ k }) => (drivers[k].crank != null) === turns);
+    const ofDrivers = (/** @type {number} */ place) => alike.map(({ k, name }) => ({
+      points: line(k === 0 ? place : 8 + 3 * (k - 1) + place - 1), role: ROLES[k % ROLES.length], name: alike.length > 1 ? name : "",
+    }));
     const energies = ENERGIES.map(([place, key, role]) => ({ points: line(place), role, name: words.text(key) }));
     render(count < 2 ? nothing : [
-      plot({ id: "run-rate", across, up: `${turns ? "ω" : "v"}, ${rate}`, lines: [{ points: line(2), role: "accent1", name: "" }], numbers }),
-      plot({ id: "run-acceleration", across, up: `${turns ? "ε" : "a"}, ${rate}/${second}`.replace(`/${second}/${second}`, `/${second}²`), lines: [{ points: line(3), role: "accent2", name: "" }], numbers }),
+      plot({ id: "run-rate", across, up: `${turns ? "ω" : "v"}, ${rate}`, lines: ofDrivers(2), numbers }),
+      plot({ id: "run-acceleration", across, up: `${turns ? "ε" : "a"}, ${rate}/${second}`.replace(`/${second}/${second}`, `/${second}²`), lines: ofDrivers(3), numbers }),
       plot({ id: "run-energies", across, up: words.text("under_load.energies") + energy, lines: energies, numbers }),
     ], this.#plots);
     const last = rows.at(-1);
@@ -203,12 +237,15 @@ export class UnderLoad {
   }
 
   #download() {
-    const { readings } = this.#run;
+    const { readings, width } = this.#run;
     const { numbers } = this.#page.words;
+    const state = this.#page.store.get();
+    const further = state.kind === "linkage" ? state.document.drivers.slice(1).map((driver, k) => driver.crank ?? `driver_${k + 2}`) : [];
+    const columns = [...COLUMNS, ...further.flatMap((name) => ["input", "rate", "acceleration"].map((part) => `${name}.${part}`))];
     const number = (/** @type {number} */ value) => (numbers.comma ? `${value}`.replace(".", ",") : `${value}`);
     const separator = numbers.comma ? ";" : ",";
-    const rows = Array.from({ length: readings.length / READING }, (_, k) => readings.slice(k * READING, (k + 1) * READING).map(number));
-    const text = [COLUMNS, ...rows].map((cells) => `${cells.join(separator)}\n`).join("");
+    const rows = Array.from({ length: readings.length / width }, (_, k) => readings.slice(k * width, (k + 1) * width).map(number));
+    const text = [columns, ...rows].map((cells) => `${cells.join(separator)}\n`).join("");
     download(new Blob([text], { type: "text/csv" }), "run.csv");
   }
 

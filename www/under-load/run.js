@@ -7,8 +7,10 @@ import { withView } from "assur/state/state.js";
  * @typedef {import("assur/types/web.js").RunHere} Part
  */
 
-/** Numbers of a reading: time, input, rate, acceleration, kinetic and potential energy, work, loss. */
-export const READING = 8;
+/** Numbers of a reading with one driver: time, input, rate, acceleration, kinetic and potential energy, work, loss. */
+const READING = 8;
+/** Numbers of a reading for each further driver: coordinate, rate, acceleration. */
+const FURTHER = 3;
 /** Readings of a frame, and the processor time in milliseconds after which the rest of the frame is left to the next one. */
 const READINGS = 4;
 const BUDGET = 5;
@@ -23,6 +25,10 @@ export class LoadRun {
   end = null;
   /** @type {Part["at"]} dead point at which the run has ended */
   at = null;
+  /** @type {readonly Problem[]} why a run of several drivers has ended */
+  problems = [];
+  /** Numbers of a reading. */
+  width = READING;
   /** Factor of the time in which the run is played, and the time at which it is over, in seconds. */
   pace = 1;
   until = 10;
@@ -39,7 +45,7 @@ export class LoadRun {
   }
 
   get time() {
-    return this.readings.at(-READING) ?? 0;
+    return this.readings.at(-this.width) ?? 0;
   }
 
   /**
@@ -56,6 +62,7 @@ export class LoadRun {
       if (problems.length > 0) return problems;
       this.forget();
       this.#document = state.document;
+      this.width = READING + FURTHER * (state.kind === "linkage" ? state.document.drivers.length - 1 : 0);
       this.#read(0, 1);
     }
     this.#page.follow(this.#course);
@@ -81,6 +88,7 @@ export class LoadRun {
     this.#document = null;
     this.readings = [];
     this.end = this.at = null;
+    this.problems = [];
   }
 
   /**
@@ -89,7 +97,7 @@ export class LoadRun {
    */
   keep({ state, inputShown, coordinate }) {
     if (!this.exists) return;
-    const input = this.readings.at(1 - READING) ?? 0;
+    const input = this.readings.at(1 - this.width) ?? 0;
     const apart = !state.view.playing && !this.end && !coordinate.near(coordinate.input(inputShown), input);
     if (state.document !== this.#document || apart) this.forget();
   }
@@ -103,7 +111,7 @@ export class LoadRun {
       this.#page.follow(null);
       return null;
     }
-    const now = this.readings.at(1 - READING) ?? null;
+    const now = this.readings.at(1 - this.width) ?? null;
     if (dt <= 0) return now;
     const begun = performance.now();
     const wanted = Math.min(this.time + dt * this.pace, this.until);
@@ -112,7 +120,7 @@ export class LoadRun {
       this.#read(k === READINGS ? wanted : this.time + step, 1);
     }
     if (!this.end && this.time >= this.until) this.end = "over";
-    return this.readings.at(1 - READING) ?? null;
+    return this.readings.at(1 - this.width) ?? null;
   };
 
   /**
@@ -130,5 +138,6 @@ export class LoadRun {
     if (value.ends) this.end = value.locks ? "locked" : "ended";
     else if (value.rests) this.end = "rests";
     this.at = value.at;
+    this.problems = value.problems;
   }
 }

@@ -274,7 +274,7 @@ impl UnderLoad {
         if !is_here || document != shown.document() {
             return None;
         }
-        let mut pose = shown.mechanism().blank::<2>();
+        let mut pose = shown.mechanism().blank::<3>();
         run.place(&mut pose).ok()?;
         Some(shown.in_pose(&pose))
     }

@@ -14,8 +14,7 @@ impl Layout {
         at: &Configuration,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        let steps = self.steps.enumerate();
-        solve_steps(steps, input, signs, at.near(), &at.mounting, state)
+        solve_all(&self.steps, input, signs, at.near(), &at.mounting, state)
     }
 
     /// Solves a step at the input of a configuration.
@@ -46,8 +45,7 @@ impl Mechanism {
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        let steps = self.steps().enumerate();
-        solve_steps(steps, input, signs, near, self.mounting(), state)
+        solve_all(self.steps(), input, signs, near, self.mounting(), state)
     }
 
     /// Solves every step before a given step for an input.
@@ -60,7 +58,7 @@ impl Mechanism {
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
         let steps = self.steps().enumerate().take(end.index());
-        solve_steps(steps, input, signs, near, self.mounting(), state)
+        solve(steps, input, signs, near, self.mounting(), state)
     }
 
     /// An enclosure for certifying steps of the motion.
@@ -87,12 +85,24 @@ impl Mechanism {
     }
 }
 
-/// Solves given steps of a plan in order for an input.
+/// Solves all steps of a plan in order for an input.
 ///
 /// # Errors
 /// The step that fails, and the cause.
+#[inline(never)]
+pub(crate) fn solve_all<const N: usize>(
+    steps: &List<StepId, Step>,
+    input: f64,
+    signs: &AssemblySigns,
+    near: Nearby<'_>,
+    mounting: &Mounting,
+    state: &mut State<N>,
+) -> Result<(), (StepId, Cause)> {
+    solve(steps.enumerate(), input, signs, near, mounting, state)
+}
+
 #[inline(always)]
-pub(crate) fn solve_steps<'a, const N: usize>(
+fn solve<'a, const N: usize>(
     steps: impl Iterator<Item = (StepId, &'a Step)>,
     input: f64,
     signs: &AssemblySigns,

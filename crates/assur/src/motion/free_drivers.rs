@@ -3,11 +3,11 @@
 use super::Motion;
 use super::continuation::{MAX_TURN, Prediction};
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{AssemblySigns, Cause, Mechanism, Pose, Unsolved, solve_steps};
+use crate::mechanism::{AssemblySigns, Cause, Mechanism, Pose, Unsolved, solve_all};
 use crate::position::{
-    DriveLaw, Enclosure, Mounting, Nearby, Orientation, Predictor, Sign, State, Step,
+    DriveLaw, Enclosure, Mounting, Nearby, Orientation, Predictor, Sign, State, Step, StepContext,
 };
-use crate::tolerance;
+use crate::{Jet, tolerance};
 
 /// Most pieces of a line that may fail to be certified. Near a singular pose many fail, and the line is given up.
 const TRIES: usize = 100;
@@ -72,35 +72,37 @@ impl FreeDrivers {
     /// Gives each step the sign for which its bodies are nearest to those of a pose. Closed forms of the motion count
     /// signs otherwise.
     fn take_signs(&mut self, posed: &State<1>, input: f64) -> Result<(), Unsolved> {
-        let still = vec![0.0; self.coordinates.len()];
+        let at = self.coordinates.clone();
+        self.follow(&at, &vec![0.0; at.len()]);
         let mut state: State<1> = self.mechanism().blank_state();
         for step in self.steps.ids() {
-            let signs: &[Sign] = if self.steps[step].has_sign() {
+            let placing = &self.steps[step];
+            let signs: &[Sign] = if placing.has_sign() {
                 &Sign::BOTH
             } else {
                 &[Sign::Plus]
             };
-            let mut best: Option<(f64, Sign)> = None;
-            for sign in signs {
-                self.signs[step] = *sign;
-                let coordinates = self.coordinates.clone();
-                if self
-                    .solve(&coordinates, &still, Some(step), &mut state)
-                    .is_ok()
-                {
-                    let off = self.steps[step].bodies().into_iter().map(|body| {
-                        let [here, there] = [&state, posed].map(|state| &state.bodies[body]);
-                        (here.origin.value() - there.origin.value()).norm()
-                            + (here.turn.value() - there.turn.value()).norm()
-                    });
-                    let off = off.sum();
-                    if best.is_none_or(|(least, _)| off < least) {
-                        best = Some((off, *sign));
-                    }
-                }
-            }
-            let cause = Cause::DeadPoint;
-            let (_, sign) = best.ok_or(Unsolved { input, step, cause })?;
+            let mut put = |sign: Sign| {
+                let context = StepContext {
+                    step,
+                    input: Jet::constant(0.0),
+                    sign,
+                    near: self.near(),
+                    mounting: &self.mounting,
+                };
+                placing.put(&mut state, &context)?;
+                let off = placing.bodies().into_iter().map(|body| {
+                    let [here, there] = [&state, posed].map(|state| &state.bodies[body]);
+                    (here.origin.value() - there.origin.value()).norm()
+                        + (here.turn.value() - there.turn.value()).norm()
+                });
+                Ok((off.sum::<f64>(), sign))
+            };
+            let found = signs.iter().filter_map(|sign| put(*sign).ok());
+            let nearest = found.min_by(|a, b| a.0.total_cmp(&b.0));
+            let unsolved = |cause| Unsolved { input, step, cause };
+            let (_, sign) = nearest.ok_or(unsolved(Cause::DeadPoint))?;
+            put(sign).map_err(unsolved)?;
             self.signs[step] = sign;
         }
         Ok(())
@@ -120,32 +122,30 @@ impl FreeDrivers {
     ///
     /// # Errors
     /// The step that has no solution.
-    pub(crate) fn place<const N: usize>(
+    pub(crate) fn place(
         &mut self,
         [at, along]: [&[f64]; 2],
-        pose: &mut Pose<N>,
+        pose: &mut Pose<3>,
     ) -> Result<(), Unsolved> {
-        let solved = self.solve(at, along, None, pose.parts().0);
+        self.follow(at, along);
+        let (state, _) = pose.parts();
+        let solved = solve_all(
+            &self.steps,
+            0.0,
+            &self.signs,
+            self.near(),
+            &self.mounting,
+            state,
+        );
         solved.map_err(|(step, cause)| unsolved(at, step, cause))
     }
 
-    /// Solves the steps up to a given one, or all.
-    fn solve<const N: usize>(
-        &mut self,
-        at: &[f64],
-        along: &[f64],
-        last: Option<StepId>,
-        state: &mut State<N>,
-    ) -> Result<(), (StepId, Cause)> {
-        self.follow(at, along);
-        let near = Nearby {
+    fn near(&self) -> Nearby<'_> {
+        Nearby {
             orientations: &self.orientations,
             natural: &self.natural,
             smooth_roots: &[],
-        };
-        let count = last.map_or(self.steps.len(), |last| last.index() + 1);
-        let steps = self.steps.enumerate().take(count);
-        solve_steps(steps, 0.0, &self.signs, near, &self.mounting, state)
+        }
     }
 
     fn follow(&mut self, from: &[f64], along: &[f64]) {
@@ -206,24 +206,20 @@ impl FreeDrivers {
 
     /// Certifies a straight line in one piece, and takes the pose at its end.
     fn step_to(&mut self, to: &[f64]) -> Result<(), (StepId, Cause)> {
-        let from = std::mem::take(&mut self.coordinates);
+        let from = self.coordinates.clone();
         let along: Vec<f64> = from.iter().zip(to).map(|(from, to)| to - from).collect();
-        let mut here = std::mem::replace(&mut self.here, State::new(0, 0, 0, 1.0));
-        let solved = self.solve(&from, &along, None, &mut here);
-        (self.here, self.coordinates) = (here, from);
-        solved?;
-        let uncertified = |step| (step, Cause::DeadPoint);
+        self.follow(&from, &along);
+        let near = Nearby {
+            orientations: &self.orientations,
+            natural: &self.natural,
+            smooth_roots: &[],
+        };
+        let (steps, signs, mounting) = (&self.steps, &self.signs, &self.mounting);
+        solve_all(steps, 0.0, signs, near, mounting, &mut self.here)?;
         let predicted = Prediction::of(&self.here, &self.orientations, 1.0);
         let near = predicted.near(&[]);
-        let steps = self.steps.enumerate();
-        solve_steps(
-            steps,
-            1.0,
-            &self.signs,
-            near,
-            &self.mounting,
-            &mut self.trial,
-        )?;
+        solve_all(steps, 1.0, signs, near, mounting, &mut self.trial)?;
+        let uncertified = |step| (step, Cause::DeadPoint);
         let enclosure = &mut self.enclosure;
         enclosure
             .certify(&self.steps, &self.here, 1.0)

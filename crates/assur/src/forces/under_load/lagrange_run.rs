@@ -244,7 +244,7 @@ impl LagrangeRun {
     ///
     /// # Errors
     /// The velocities are not bounded.
-    pub fn place<const N: usize>(&mut self, pose: &mut Pose<N>) -> Result<(), Unsolved> {
+    pub fn place(&mut self, pose: &mut Pose<3>) -> Result<(), Unsolved> {
         let [at, along] = [&self.at, &self.rates].map(|values| self.freedoms.own(values));
         self.freedoms.drivers.place([&at, &along], pose)
     }
