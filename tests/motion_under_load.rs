@@ -74,6 +74,33 @@ fn free_motion_of_a_slider_crank() {
     assert!(run.imbalance().abs() < 1e-10 * reading.kinetic);
 }
 
+/// The knots of a motor's table are ends of steps: the state does not depend on the times at which it is read.
+#[test]
+fn knots_of_a_motor() {
+    let motion = motion(&crank_rocker());
+    let loading = Loading::of_masses(motion.mechanism());
+    let table = [[0.0, 20.0], [1.0, 3.0], [2.5, 9.0], [6.0, -4.0]];
+    let at = |pieces: u32| {
+        let motor = Motor::Table(table.into());
+        let mut run = Run::new(&motion, &loading, &motor, [1.0, 0.0]).unwrap();
+        for piece in 1..=pieces {
+            run.advance(2.0 * f64::from(piece) / f64::from(pieces))
+                .unwrap();
+        }
+        let now = run.reading();
+        [now.input, now.rate, now.work]
+    };
+    let whole = at(1);
+    for pieces in [7, 500] {
+        for (one, other) in whole.iter().zip(at(pieces)) {
+            assert!(
+                (one - other).abs() < 1e-10 * one.abs().max(1.0),
+                "{pieces}: {one} {other}"
+            );
+        }
+    }
+}
+
 /// IFToMM's A02 with two bays: equal rockers and rods of 1 m and 1 kg, upright, with 1 m/s. In ten seconds it passes five
 /// times the singular pose in which a rocker points at the pivot of the next one. There the outer hinges of the rod and
 /// the next rocker coincide; the vector between them keeps its direction, and so the motion goes on.

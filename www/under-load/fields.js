@@ -2,6 +2,7 @@
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { sentence } from "assur/controls/problems.js";
 import { make, write } from "assur/core/dom.js";
+import { called } from "assur/core/names.js";
 import { html, render } from "assur/core/html.js";
 import { parseNumber } from "assur/core/numbers.js";
 import { edited } from "assur/state/state.js";
@@ -50,12 +51,13 @@ function sortOf(motor, driver) {
 }
 
 /**
- * @param {Driver | undefined} driver
- * @param {Words} words
- * @returns {string} name of the driven link, or of the slide
+ * @param {LinkageDocument} document
+ * @param {number} index of a driver
+ * @returns {string} name of the driven link
  */
-export function drivenName(driver, words) {
-  return driver?.crank ?? words.text("under_load.slide", { number: `${(driver?.slide ?? 0) + 1}` });
+export function drivenLink({ drivers, slides }, index) {
+  const driver = drivers[index];
+  return driver?.crank ?? slides?.[driver?.slide ?? 0]?.link ?? "";
 }
 
 /**
@@ -120,16 +122,17 @@ export class Fields {
     const several = document.drivers.length > 1;
     const driver = document.drivers[this.#driver];
     const turns = driver?.crank != null;
-    const written = `${words.lang} ${several}`;
+    const { motor } = this.#own(document);
+    const sort = sortOf(motor, driver);
+    const keeps = several || sort === "kept";
+    const written = `${words.lang} ${keeps}`;
     if (this.#written !== written) {
       this.#written = written;
-      const sorts = SORTS.filter((sort) => several || sort !== "kept");
+      const sorts = SORTS.filter((one) => keeps || one !== "kept");
       render(sorts.map((sort) => html`<option value=${sort}>${words.text(`under_load.motor.${sort}`)}</option>`), this.#sort);
     }
     this.#heading.hidden = !several;
-    write(this.#heading, several ? words.text("under_load.driver", { name: drivenName(driver, words) }) : "");
-    const { motor } = this.#own(document);
-    const sort = sortOf(motor, driver);
+    write(this.#heading, several ? words.text("under_load.driver", { name: called(drivenLink(document, this.#driver), words) }) : "");
     if (this.#sort.value !== sort) this.#sort.value = sort;
     for (const { element, unit, why, box, field, sort: of, value: read } of this.#rows) {
       const value = read(document);

@@ -9,7 +9,7 @@ import { attempt } from "assur/core/problem.js";
 import { sentence } from "assur/controls/problems.js";
 import { NumberBox, numberField } from "assur/controls/number-box.js";
 import { Cycle } from "assur/under-load/cycle.js";
-import { Fields, drivenName, unitOf } from "assur/under-load/fields.js";
+import { Fields, drivenLink, unitOf } from "assur/under-load/fields.js";
 import { plot } from "assur/under-load/plot.js";
 import { LoadRun } from "assur/under-load/run.js";
 
@@ -125,7 +125,7 @@ export class UnderLoad {
     this.#stop.disabled = !(this.#run.exists && state.view.playing);
     if (this.#drawn === readings.length) return;
     this.#drawn = readings.length;
-    this.#draw(state.document.drivers, turns, words);
+    this.#draw(state.document, turns, words);
   }
 
   /**
@@ -195,11 +195,11 @@ export class UnderLoad {
   }
 
   /**
-   * @param {LinkageDocument["drivers"]} drivers
+   * @param {LinkageDocument} document
    * @param {boolean} turns
    * @param {Words} words
    */
-  #draw(drivers, turns, words) {
+  #draw(document, turns, words) {
     const { readings, width } = this.#run;
     const { numbers } = words;
     const count = readings.length / width;
@@ -214,9 +214,9 @@ export class UnderLoad {
     const rate = unitOf("rate", turns, words);
     const energy = words.unit === "" ? "" : `, ${words.text("under_load.unit.energy")}`;
     // Rates and accelerations of the drivers that move as the first one does; those of the others have another unit.
-    const alike = drivers.map((driver, k) => ({ k, name: drivenName(driver, words) })).filter(({ k }) => (drivers[k].crank != null) === turns);
-    const ofDrivers = (/** @type {number} */ place) => alike.map(({ k, name }) => ({
-      points: line(k === 0 ? place : 8 + 3 * (k - 1) + place - 1), role: ROLES[k % ROLES.length], name: alike.length > 1 ? name : "",
+    const alike = document.drivers.map(({ crank }, k) => ({ k, turns: crank != null })).filter((driver) => driver.turns === turns);
+    const ofDrivers = (/** @type {2 | 3} */ part) => alike.map(({ k }) => ({
+      points: line(LoadRun.place(k, part)), role: ROLES[k % ROLES.length], name: alike.length > 1 ? called(drivenLink(document, k), words) : "",
     }));
     const energies = ENERGIES.map(([place, key, role]) => ({ points: line(place), role, name: words.text(key) }));
     render(count < 2 ? nothing : [
@@ -240,7 +240,7 @@ export class UnderLoad {
     const { readings, width } = this.#run;
     const { numbers } = this.#page.words;
     const state = this.#page.store.get();
-    const further = state.kind === "linkage" ? state.document.drivers.slice(1).map((driver, k) => driver.crank ?? `driver_${k + 2}`) : [];
+    const further = state.kind === "linkage" ? state.document.drivers.slice(1).map((_, k) => drivenLink(state.document, k + 1)) : [];
     const columns = [...COLUMNS, ...further.flatMap((name) => ["input", "rate", "acceleration"].map((part) => `${name}.${part}`))];
     const number = (/** @type {number} */ value) => (numbers.comma ? `${value}`.replace(".", ",") : `${value}`);
     const separator = numbers.comma ? ";" : ",";

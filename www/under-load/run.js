@@ -40,6 +40,15 @@ export class LoadRun {
     this.#page = page;
   }
 
+  /**
+   * @param {number} driver its index
+   * @param {1 | 2 | 3} part coordinate, rate or acceleration
+   * @returns {number} place of the number in a reading
+   */
+  static place(driver, part) {
+    return driver === 0 ? part : READING + FURTHER * (driver - 1) + part - 1;
+  }
+
   get exists() {
     return this.#document !== null;
   }

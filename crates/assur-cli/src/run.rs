@@ -114,7 +114,7 @@ impl Running {
     ) -> Result<Self, LinkageProblem> {
         let mechanism = motion.mechanism();
         let no_run = |reason| LinkageProblem::no_run(&reason, mechanism);
-        if document.drivers.len() == 1 {
+        if !document.is_run_by_drivers() {
             let motor = document.motor(mechanism)?;
             let run = Run::new(motion, loading, &motor, [from, speed]);
             return Ok(Self::One(Box::new(run.map_err(no_run)?)));

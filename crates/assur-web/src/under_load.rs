@@ -114,7 +114,7 @@ impl Moving {
         let forces = self.forces();
         let (motion, loading) = (self.motion(), &forces.loading);
         let no_run = |reason| one(LinkageProblem::no_run(&reason, mechanism));
-        let run = if document.drivers.len() == 1 {
+        let run = if !document.is_run_by_drivers() {
             let motor = document.motor(mechanism).map_err(one)?;
             let run = Run::new(motion, loading, &motor, [input, rate]);
             Running::One(Box::new(run.map_err(no_run)?))
@@ -265,13 +265,13 @@ impl UnderLoad {
         };
         let (run, document) = several.as_mut();
         let first = run.coordinates().next()?;
+        let apart = (input - first).abs();
         let apart = if shown.mechanism().turns() {
-            (input - first).rem_euclid(TAU)
+            (apart + SAME).rem_euclid(TAU) - SAME
         } else {
-            (input - first).abs()
+            apart
         };
-        let is_here = apart.min((TAU - apart).abs()) <= SAME || apart <= SAME;
-        if !is_here || document != shown.document() {
+        if apart > SAME || document != shown.document() {
             return None;
         }
         let mut pose = shown.mechanism().blank::<3>();

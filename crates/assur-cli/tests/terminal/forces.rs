@@ -228,6 +228,61 @@ fn press() -> Value {
     document
 }
 
+/// A double pendulum: columns for each driver; energy is kept, and a driver that keeps its rate needs a torque.
+#[test]
+fn a_run_of_two_drivers() {
+    let mut document = json!({
+        "unit": "m",
+        "points": [{"name": "O", "at": [0, 0]}, {"name": "A", "at": [1, 0]}, {"name": "B", "at": [1, -1]}],
+        "frame": ["O"],
+        "links": [
+            {"name": "upper", "points": ["O", "A"], "mass_kg": 1},
+            {"name": "lower", "points": ["A", "B"], "mass_kg": 1}
+        ],
+        "drivers": [{"crank": "upper"}, {"crank": "lower", "base": "upper"}],
+        "gravity": [0, -9.81]
+    });
+    let run = |document: &Value| {
+        let file = Scratch::with("pendulum.json", &document.to_string());
+        Table::of(&said(&[
+            "run",
+            file.path(),
+            "--until",
+            "0.5",
+            "--every",
+            "0.1",
+        ]))
+    };
+    let free = run(&document);
+    let parts = ["input", "rate", "acceleration", "torque"];
+    let drivers = ["upper", "lower"].map(|link| parts.map(|part| format!("{link}.{part}")));
+    let ends = ["t", "kinetic", "potential", "work", "lost"].map(str::to_owned);
+    let header = [&ends[..1], drivers.as_flattened(), &ends[1..]].concat();
+    assert_eq!(free.header, header);
+    for row in 0..6 {
+        let energy = free.number(row, "kinetic") + free.number(row, "potential");
+        assert!(
+            (energy - free.number(0, "potential")).abs() < 1e-10,
+            "{row}"
+        );
+        assert_eq!(free.number(row, "lower.torque"), 0.0);
+    }
+    document["drivers"][1]["keeps_rate"] = json!(true);
+    let held = run(&document);
+    assert_eq!(held.number(5, "lower.rate"), 0.0);
+    assert_eq!(held.number(5, "lower.input"), held.number(0, "lower.input"));
+    assert!(held.number(5, "lower.torque").abs() > 0.1);
+    document["drivers"][1]["motor"] = json!({"torque": 1});
+    let file = Scratch::with("both.json", &document.to_string());
+    let refused = assur(&["run", file.path(), "--until", "1"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(
+        String::from_utf8(refused.stderr)
+            .unwrap()
+            .contains("drivers[1].keeps_rate")
+    );
+}
+
 /// The times in the table are exact multiples of the interval, in decimals.
 #[test]
 fn times_of_a_run_are_as_asked() {

@@ -241,7 +241,7 @@ pub struct DriverDocument {
     /// Rate of a further driver at the start of a motion under load; if absent, `rate` times that of the first driver.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub initial_rate: Option<f64>,
-    /// Whether a driver among several keeps its rate in a motion under load, whatever torque that takes.
+    /// Whether the driver keeps its rate in a motion under load, whatever torque that takes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub keeps_rate: Option<bool>,
 }

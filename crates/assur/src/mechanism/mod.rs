@@ -45,7 +45,7 @@ pub use readout::{
 };
 pub(crate) use readout::{Contact, Guide, arms_of};
 pub use redundant::Mobility;
-pub(crate) use solve::solve_all;
+pub(crate) use solve::solve_steps;
 
 pub use crate::index::{BodyId, LinkId, PointId, SlideId, StepId};
 pub use crate::position::{Cause, Method, Singularity};

@@ -14,7 +14,14 @@ impl Layout {
         at: &Configuration,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        solve_all(&self.steps, input, signs, at.near(), &at.mounting, state)
+        solve_steps(
+            (&self.steps, self.steps.len()),
+            input,
+            signs,
+            at.near(),
+            &at.mounting,
+            state,
+        )
     }
 
     /// Solves a step at the input of a configuration.
@@ -45,7 +52,14 @@ impl Mechanism {
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        solve_all(self.steps(), input, signs, near, self.mounting(), state)
+        solve_steps(
+            (self.steps(), self.steps().len()),
+            input,
+            signs,
+            near,
+            self.mounting(),
+            state,
+        )
     }
 
     /// Solves every step before a given step for an input.
@@ -57,8 +71,14 @@ impl Mechanism {
         near: Nearby<'_>,
         state: &mut State<N>,
     ) -> Result<(), (StepId, Cause)> {
-        let steps = self.steps().enumerate().take(end.index());
-        solve(steps, input, signs, near, self.mounting(), state)
+        solve_steps(
+            (self.steps(), end.index()),
+            input,
+            signs,
+            near,
+            self.mounting(),
+            state,
+        )
     }
 
     /// An enclosure for certifying steps of the motion.
@@ -85,25 +105,13 @@ impl Mechanism {
     }
 }
 
-/// Solves all steps of a plan in order for an input.
+/// Solves the first steps of a plan, in order, for an input.
 ///
 /// # Errors
 /// The step that fails, and the cause.
 #[inline(never)]
-pub(crate) fn solve_all<const N: usize>(
-    steps: &List<StepId, Step>,
-    input: f64,
-    signs: &AssemblySigns,
-    near: Nearby<'_>,
-    mounting: &Mounting,
-    state: &mut State<N>,
-) -> Result<(), (StepId, Cause)> {
-    solve(steps.enumerate(), input, signs, near, mounting, state)
-}
-
-#[inline(always)]
-fn solve<'a, const N: usize>(
-    steps: impl Iterator<Item = (StepId, &'a Step)>,
+pub(crate) fn solve_steps<const N: usize>(
+    (steps, count): (&List<StepId, Step>, usize),
     input: f64,
     signs: &AssemblySigns,
     near: Nearby<'_>,
@@ -118,7 +126,7 @@ fn solve<'a, const N: usize>(
         mounting,
     };
     state.corrections = [0.0; 2];
-    for (step, placing) in steps {
+    for (step, placing) in steps.enumerate().take(count) {
         (given.step, given.sign) = (step, signs[step]);
         let put = placing.put(state, &given);
         put.map_err(|cause| (step, cause))?;

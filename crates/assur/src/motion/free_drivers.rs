@@ -3,7 +3,7 @@
 use super::Motion;
 use super::continuation::{MAX_TURN, Prediction};
 use crate::index::{BodyId, List, StepId};
-use crate::mechanism::{AssemblySigns, Cause, Mechanism, Pose, Unsolved, solve_all};
+use crate::mechanism::{AssemblySigns, Cause, Mechanism, Pose, Unsolved, solve_steps};
 use crate::position::{
     DriveLaw, Enclosure, Mounting, Nearby, Orientation, Predictor, Sign, State, Step, StepContext,
 };
@@ -129,8 +129,8 @@ impl FreeDrivers {
     ) -> Result<(), Unsolved> {
         self.follow(at, along);
         let (state, _) = pose.parts();
-        let solved = solve_all(
-            &self.steps,
+        let solved = solve_steps(
+            (&self.steps, self.steps.len()),
             0.0,
             &self.signs,
             self.near(),
@@ -214,11 +214,12 @@ impl FreeDrivers {
             natural: &self.natural,
             smooth_roots: &[],
         };
-        let (steps, signs, mounting) = (&self.steps, &self.signs, &self.mounting);
-        solve_all(steps, 0.0, signs, near, mounting, &mut self.here)?;
+        let (signs, mounting) = (&self.signs, &self.mounting);
+        let steps = (&self.steps, self.steps.len());
+        solve_steps(steps, 0.0, signs, near, mounting, &mut self.here)?;
         let predicted = Prediction::of(&self.here, &self.orientations, 1.0);
         let near = predicted.near(&[]);
-        solve_all(steps, 1.0, signs, near, mounting, &mut self.trial)?;
+        solve_steps(steps, 1.0, signs, near, mounting, &mut self.trial)?;
         let uncertified = |step| (step, Cause::DeadPoint);
         let enclosure = &mut self.enclosure;
         enclosure

@@ -422,23 +422,14 @@ impl LagrangeRun {
             way / by
         });
         let near = tolerance::NEGLIGIBLE / by.abs();
-        let of_motors = self
-            .actuators
-            .iter()
-            .enumerate()
-            .flat_map(|(index, actuator)| {
-                let knots: &[[f64; 2]] = match actuator {
-                    Actuator::Motor(Motor::Table(knots)) => knots,
-                    _ => &[],
-                };
-                let (rate, gained) = (self.rates[index], advance.gained[index]);
-                let unit = self.freedoms.units[index];
-                let near = tolerance::NEGLIGIBLE * rate.abs().max(gained.abs()) / gained.abs();
-                let parts = knots
-                    .iter()
-                    .map(move |[knot, _]| (knot / unit - rate) / gained);
-                parts.filter(move |part| *part > near && *part < 1.0 - near)
-            });
+        let of_motors = self.actuators.iter().enumerate();
+        let of_motors = of_motors.filter_map(|(index, actuator)| {
+            let Actuator::Motor(motor) = actuator else {
+                return None;
+            };
+            let unit = self.freedoms.units[index];
+            motor.part_to_knot(self.rates[index] * unit, advance.gained[index] * unit)
+        });
         parts
             .filter(|part| *part > near && *part < 1.0 - near)
             .chain(of_motors)

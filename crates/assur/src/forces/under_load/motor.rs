@@ -77,6 +77,18 @@ impl Motor {
         }
     }
 
+    /// Part of a change of the rate up to the first knot of the table that it passes.
+    pub(super) fn part_to_knot(&self, rate: f64, change: f64) -> Option<f64> {
+        let Self::Table(knots) = self else {
+            return None;
+        };
+        let near = tolerance::NEGLIGIBLE * rate.abs().max(change.abs()) / change.abs();
+        let parts = knots.iter().map(|[knot, _]| (knot - rate) / change);
+        parts
+            .filter(|part| *part > near && *part < 1.0 - near)
+            .min_by(f64::total_cmp)
+    }
+
     /// Torque at a rate, and its derivative with respect to the rate.
     pub fn torque(&self, rate: f64) -> [f64; 2] {
         match self {

@@ -302,11 +302,16 @@ impl Run {
         let mut advance = trial(system, most)?;
         // A step beyond a knot would not see it if no stage is behind it: it ends at the knot.
         for _ in 0..TRIALS {
-            let moved = advance.moved[0].abs();
-            if moved <= to_knot + tolerance::NEGLIGIBLE * unit {
+            let (moved, gained) = (advance.moved[0].abs(), advance.gained[0]);
+            let of_motor = system.motor.part_to_knot(state.rate, gained);
+            let mut part = of_motor.unwrap_or(1.0);
+            if moved > to_knot + tolerance::NEGLIGIBLE * unit {
+                part = part.min(to_knot / moved);
+            }
+            if part == 1.0 {
                 break;
             }
-            advance = trial(system, advance.length * to_knot / moved)?;
+            advance = trial(system, advance.length * part)?;
         }
         let has_friction = system.has_friction();
         let margin = |system: &mut System, advance: &Advance<3>| {

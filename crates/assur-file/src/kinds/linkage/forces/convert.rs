@@ -86,7 +86,12 @@ impl LinkageDocument {
         checked(self.motor.as_ref(), unit, "motor".to_owned())
     }
 
-    /// What moves each driver of several in a motion under load, and its initial rate; `first` is that of the first driver.
+    /// Whether a motion under load takes each driver by itself: there are several, or the only one keeps its rate.
+    pub fn is_run_by_drivers(&self) -> bool {
+        self.drivers.len() > 1 || self.drivers.iter().any(|one| one.keeps_rate == Some(true))
+    }
+
+    /// What moves each driver in a motion under load, and its initial rate; `first` is that of the first driver.
     ///
     /// # Errors
     /// A number of a motor is not valid, a driver has both a motor and a rate that it keeps, or the motor or the initial
