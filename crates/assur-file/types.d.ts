@@ -38,7 +38,7 @@ export type DriverDocument = {
 /** Rate of this driver's coordinate relative to that of the first driver; 1 by default. */ rate?: number | null, 
 /** Motor of a further driver in a motion under load; if absent, the driver is free there. */ motor?: MotorDocument | null, 
 /** Rate of a further driver at the start of a motion under load; if absent, `rate` times that of the first driver. */ initial_rate?: number | null, 
-/** Whether a driver among several keeps its rate in a motion under load, whatever torque that takes. */ keeps_rate?: boolean | null, };
+/** Whether the driver keeps its rate in a motion under load, whatever torque that takes. */ keeps_rate?: boolean | null, };
 export type EndDocument = { 
 /** Name of the link. */ link: string, 
 /** Position of the point. */ at: PlaceDocument, };

@@ -275,7 +275,7 @@ fn a_run_of_two_drivers() {
     document["drivers"][1]["motor"] = json!({"torque": 1});
     let file = Scratch::with("both.json", &document.to_string());
     let refused = assur(&["run", file.path(), "--until", "1"]);
-    assert_eq!(refused.status.code(), Some(1));
+    assert_eq!(refused.status.code(), Some(2));
     assert!(
         String::from_utf8(refused.stderr)
             .unwrap()
