@@ -375,9 +375,18 @@ fn what_cannot_be_run() {
     let idle = Loading::of_masses(motion.mechanism());
     let run = LagrangeRun::new(&motion, &idle, &[FREE, FREE], from, &[0.0; 2]);
     assert_eq!(run.err(), Some(NoRun::NoInertia));
+    let one = LagrangeRun::new(&motion, &idle, &[FREE], from, &[0.0; 2]);
+    assert_eq!(one.err(), Some(NoRun::Actuators { drivers: 2 }));
     // A massless link that keeps its rate needs no mass.
     let kept = [FREE, Actuator::Rate];
     assert!(LagrangeRun::new(&motion, &idle, &kept, from, &[1.0, 0.0]).is_ok());
+    massless.links[0].mass = None;
+    let motion = self::motion(&massless);
+    let idle = Loading::of_masses(motion.mechanism());
+    let kept = [Actuator::Rate, Actuator::Rate];
+    let mut run = LagrangeRun::new(&motion, &idle, &kept, from, &[1.0, -2.0]).unwrap();
+    run.advance(3.0).unwrap();
+    assert!(near(run.reading().coordinates[0], from + 3.0, 1.0, 1e-13));
 }
 
 /// A double pendulum with damped hinges comes to rest and stays; its energy is lost.

@@ -32,8 +32,8 @@ const SLOW: f64 = 1e-5;
 /// far from rounding.
 const STILL: f64 = 1e-7;
 
-/// Turn rate of a body by a coordinate, relative to the least of the greatest rates so far, at which a run ends: the sine
-/// of the angle at a dead point is its inverse, and the coordinates are within half the square of the sine of their end.
+/// Turn rate of a body by a coordinate at which a run ends, relative to the least that the greatest of these rates has been.
+/// It is about the inverse of the sine between the links of a dyad; the dead point is then within the square of the sine.
 const MAX_GAIN: f64 = 1e3;
 
 /// Farthest input at the start: beyond it an angle has lost too many digits.
@@ -145,13 +145,10 @@ struct Driven {
 }
 
 impl LagrangeRun {
-    /// Run from an input of a motion at rates of the drivers, at time zero.
+    /// Run from an input of a motion at rates of the drivers, at time zero; there is an actuator and a rate for each driver.
     ///
     /// # Errors
     /// The reason why there is none.
-    ///
-    /// # Panics
-    /// If there is not one actuator and one rate for each driver.
     pub fn new(
         motion: &Motion,
         loading: &Loading,
@@ -160,11 +157,9 @@ impl LagrangeRun {
         rates: &[f64],
     ) -> Result<Self, NoRun> {
         let count = motion.mechanism().spec().drivers.len();
-        assert_eq!(
-            [actuators.len(), rates.len()],
-            [count; 2],
-            "one for each driver"
-        );
+        if [actuators.len(), rates.len()] != [count; 2] {
+            return Err(NoRun::Actuators { drivers: count });
+        }
         for actuator in actuators {
             if let Actuator::Motor(motor) = actuator {
                 motor.check().map_err(NoRun::Motor)?;
@@ -316,7 +311,9 @@ impl LagrangeRun {
         }
         let scale = speed.max(SLOW * self.fastest);
         let (least, momentum) = if scale > 0.0 {
-            let momentum = self.now.equations.inertia.diagonal().amax() * scale;
+            // A massless linkage at kept rates has no inertia.
+            let inertia = self.now.equations.inertia.diagonal().amax();
+            let momentum = if inertia > 0.0 { inertia * scale } else { 1.0 };
             (SHORTEST / scale, momentum)
         } else {
             (0.0, 1.0)

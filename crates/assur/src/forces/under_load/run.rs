@@ -84,6 +84,11 @@ pub enum NoRun {
     SeveralDrivers,
     /// Dry friction in a linkage of several drivers.
     Friction,
+    /// Not one actuator and one initial rate for each driver.
+    Actuators {
+        /// Number of drivers.
+        drivers: usize,
+    },
     /// The start has no pose.
     Start(Unsolved),
     /// The rate at the start is not finite or too large.

@@ -371,7 +371,7 @@ impl LinkageProblem {
     pub fn no_run(reason: &NoRun, mechanism: &Mechanism) -> Self {
         match reason {
             NoRun::Motor(defect) => Self::of_forces(defect),
-            NoRun::SeveralDrivers => Self::RunSeveralDrivers,
+            NoRun::SeveralDrivers | NoRun::Actuators { .. } => Self::RunSeveralDrivers,
             NoRun::Friction => Self::RunFriction,
             NoRun::Start(unsolved) => Self::unsolved(unsolved, mechanism),
             NoRun::Rate => Self::ForceNoNumber {
