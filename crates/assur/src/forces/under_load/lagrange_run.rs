@@ -1,18 +1,15 @@
 //! Motion under load of a linkage of several freedoms.
 
-use super::lagrange::{Coordinates, FREEDOMS, Freedoms, Lagrange};
-use super::{Motor, NoRun};
+use super::actuator::{Actuator, Driven, WIDTH, driven, powers};
+use super::lagrange::{Coordinates, FREEDOMS, Freedoms};
+use super::run::{ERROR, REST, TRIALS, add};
+use super::{Blocked, LagrangeReading, NoRun};
 use crate::forces::Loading;
 use crate::index::StepId;
 use crate::mechanism::{Cause, Mechanism, Pose, Unsolved};
 use crate::motion::Motion;
 use crate::numeric::gauss::{Adaptive, Advance, Rounding};
 use crate::tolerance;
-
-use super::run::{ERROR, REST, TRIALS, add};
-
-/// Coordinates of the drivers, with the work and the lost energy.
-const WIDTH: usize = FREEDOMS + 2;
 
 /// Relative rounding errors of accelerations. Near a pose in which a group is singular they grow like the cube of the
 /// velocities of its links.
@@ -41,15 +38,6 @@ const FARTHEST_INPUT: f64 = 1e6;
 
 /// Number of short steps, one after another, after which a run ends: it does not get past a singular pose.
 const MOST_SHORT: usize = 1000;
-
-/// What moves a driver of a linkage of several freedoms under load.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Actuator {
-    /// A motor, whose torque depends on the rate of the driver; [`Motor::NONE`] for a free one.
-    Motor(Motor),
-    /// A drive that keeps the rate of the driver, whatever its torque; at the rate zero it holds the driver.
-    Rate,
-}
 
 /// Motion of a linkage of several drivers under its loads, by Lagrange's equations M(q) q̈ = Q(q, q̇): the angle of each
 /// crank and the travel of each driven slide is a coordinate of its own. Dry friction is not integrated.
@@ -102,46 +90,6 @@ pub struct LagrangeRun {
     gain: f64,
     /// Kinetic and potential energy at the start.
     opening: f64,
-}
-
-/// State of a run at a time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LagrangeReading {
-    /// Time since the start.
-    pub time: f64,
-    /// Coordinates of the drivers; angles of cranks are not reduced to a turn.
-    pub coordinates: Vec<f64>,
-    /// Their rates.
-    pub rates: Vec<f64>,
-    /// Their accelerations.
-    pub accelerations: Vec<f64>,
-    /// Torques of the drives; forces of driven slides.
-    pub torques: Vec<f64>,
-    /// Kinetic energy.
-    pub kinetic: f64,
-    /// Potential energy of gravity and springs.
-    pub potential: f64,
-    /// Work of the drives and of the given forces and torques since the start.
-    pub work: f64,
-    /// Energy lost in resistances and dampers since the start.
-    pub lost: f64,
-}
-
-/// End of a run of several freedoms: a singular pose, or the end of the range of a driven slide.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blocked {
-    /// Time of the last pose.
-    pub time: f64,
-    /// The reason why there is no pose beyond.
-    pub unsolved: Unsolved,
-}
-
-/// Accelerations and torques under the drives.
-#[derive(Clone, Copy, Debug)]
-struct Driven {
-    equations: Lagrange,
-    accelerations: Coordinates,
-    torques: Coordinates,
 }
 
 impl LagrangeRun {
@@ -432,43 +380,4 @@ impl LagrangeRun {
             .chain(of_motors)
             .min_by(f64::total_cmp)
     }
-}
-
-/// The equations at coordinates and rates, solved; None inside if nothing with a mass moves.
-fn driven(
-    freedoms: &mut Freedoms,
-    actuators: &[Actuator],
-    [at, rates]: [&Coordinates; 2],
-) -> Result<Option<Driven>, Unsolved> {
-    let equations = freedoms.equations(at, rates)?;
-    let mut torques = Coordinates::zeros();
-    for (index, actuator) in actuators.iter().enumerate() {
-        if let Actuator::Motor(motor) = actuator {
-            // Coordinates have units, and so has their virtual work.
-            let unit = freedoms.units[index];
-            torques[index] = motor.torque(rates[index] * unit)[0] * unit;
-        }
-    }
-    let found = equations.accelerations(&freedoms.held, &torques);
-    Ok(found.map(|accelerations| {
-        let needed = equations.torques(&accelerations);
-        for index in (0..actuators.len()).filter(|index| freedoms.held[*index]) {
-            torques[index] = needed[index];
-        }
-        Driven {
-            equations,
-            accelerations,
-            torques,
-        }
-    }))
-}
-
-/// Accelerations, with the powers of the drives and loads and of what is lost, divided by a momentum.
-fn powers(found: &Driven, rates: &Coordinates, momentum: f64) -> [f64; WIDTH] {
-    let mut all = [0.0; WIDTH];
-    all[..FREEDOMS].copy_from_slice(found.accelerations.as_slice());
-    let along = &found.equations.along;
-    all[FREEDOMS] = (found.torques.dot(rates) + along.load) / momentum;
-    all[FREEDOMS + 1] = -along.resistance(1.0) / momentum;
-    all
 }
