@@ -95,7 +95,7 @@ fn a_damped_pendulum_comes_to_rest() {
     assert!(near(now.lost, fallen, fallen, 1e-11), "{now:?}");
 }
 
-/// A crane whose trolley runs into the end of its rail: the run ends there, and the load still hangs on it.
+/// A trolley that carries a load on a rope runs into the end of its rail: the run ends there.
 #[test]
 fn a_slide_ends_at_its_range() {
     let mut spec = massive(

@@ -20,7 +20,6 @@ use crate::change::Change;
 use crate::chart;
 use crate::convert::{read, read_tagged, thrown, to_js};
 use crate::equations::EquationSummary;
-use crate::here::Here;
 use crate::kinds::{as_kind, draft, open_after};
 use crate::moving::Moving;
 use crate::profile::ProfileSummary;
@@ -118,7 +117,7 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Here")]
     pub fn at(&self, input: f64) -> Result<JsValue, JsValue> {
         let document = self.document()?;
-        if let Some(here) = self.in_run(input) {
+        if let Some(here) = self.of_run(|run, shown| run.here(shown, input)).flatten() {
             return Ok(to_js(&here));
         }
         Ok(to_js(&match document.moves() {
@@ -142,7 +141,8 @@ impl Simulator {
     #[wasm_bindgen(unchecked_return_type = "Problem[]")]
     pub fn why(&self, input: f64) -> Result<JsValue, JsValue> {
         let moves = self.document()?.moves();
-        let moves = moves.filter(|_| self.in_run(input).is_none());
+        let moves =
+            moves.filter(|_| self.of_run(|run, shown| run.is_shown(shown, input)) != Some(true));
         let problem = moves.and_then(|moves| moves.why(input));
         Ok(to_js(&Vec::from_iter(problem)))
     }
@@ -346,11 +346,11 @@ impl Simulator {
 }
 
 impl Simulator {
-    /// The linkage in the pose of a run of several freedoms, while the run is at this input.
-    fn in_run(&self, input: f64) -> Option<Here> {
+    /// What the run says of the linkage shown; None without a run or a linkage.
+    fn of_run<T>(&self, asked: impl FnOnce(&mut UnderLoad, &Moving) -> T) -> Option<T> {
         let shown = self.document.as_deref()?.linkage()?;
         let mut run = self.run.borrow_mut();
-        run.as_mut()?.here(shown, input)
+        Some(asked(run.as_mut()?, shown))
     }
 
     /// Returns a change for the page, and keeps its motion, if it has one, until the next `set`.

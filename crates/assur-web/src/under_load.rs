@@ -258,8 +258,8 @@ impl UnderLoad {
         }
     }
 
-    /// The linkage in the pose of a run of several freedoms; None if the page shows another document, or another input.
-    pub(crate) fn here(&mut self, shown: &Moving, input: f64) -> Option<Here> {
+    /// The run, if it is one of several freedoms of the document that the page shows, and at the input that it shows.
+    fn shown(&mut self, shown: &Moving, input: f64) -> Option<&mut LagrangeRun> {
         let Running::Several(several) = &mut self.run else {
             return None;
         };
@@ -271,9 +271,17 @@ impl UnderLoad {
         } else {
             apart
         };
-        if apart > SAME || document != shown.document() {
-            return None;
-        }
+        (apart <= SAME && document == shown.document()).then_some(run)
+    }
+
+    /// True if the page shows the pose of a run of several freedoms.
+    pub(crate) fn is_shown(&mut self, shown: &Moving, input: f64) -> bool {
+        self.shown(shown, input).is_some()
+    }
+
+    /// The linkage in the pose of a run of several freedoms; None if the page shows another document, or another input.
+    pub(crate) fn here(&mut self, shown: &Moving, input: f64) -> Option<Here> {
+        let run = self.shown(shown, input)?;
         let mut pose = shown.mechanism().blank::<3>();
         run.place(&mut pose).ok()?;
         Some(shown.in_pose(&pose))

@@ -1,4 +1,4 @@
-//! The motor of the first driver: its torque by its speed.
+//! The motor of a driver: its torque by its speed.
 
 use crate::forces::{Defect, Part};
 use crate::tolerance::{self, FARTHEST};
