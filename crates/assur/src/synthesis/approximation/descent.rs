@@ -6,7 +6,6 @@
 //! normal to the curve are used. If crank angles are given, the crank angle at the first place is an unknown, too. With
 //! growing p the minimum of Σdᵖ approaches that of the greatest distance; Σdᵖ is the sum of squares of d^(p/2).
 
-use super::curve::{dot, times_i};
 use super::fitted::{Fitted, UNKNOWNS, Unknowns};
 use super::target::Target;
 use crate::numeric::linear::solve_positive_definite;
@@ -99,49 +98,21 @@ impl Descent {
                 right[k] -= x * rest;
             }
         };
-        for (k, wanted) in target.compared.iter().enumerate() {
-            let (by, tangent) = fitted.derivatives(fitted.feet[k], timed);
-            let off = fitted.point(fitted.feet[k]) - wanted;
-            let distance = fitted.distances[k];
-            // d^(p/2) has the derivative (p/2) d^(p/2 − 1) d′.
-            let share = distance / self.unit;
-            let weight = if self.power == 2 {
-                1.0
-            } else {
-                half * share.powf(half - 1.0)
-            };
-            let towards = if timed && distance <= f64::MIN_POSITIVE {
-                None
-            } else if timed {
-                Some(off / distance)
-            } else if tangent.norm() > tolerance::COINCIDENT {
-                Some(times_i(tangent / tangent.norm()))
-            } else {
-                Some(off / distance.max(f64::MIN_POSITIVE))
-            };
-            match towards {
-                Some(normal) if !timed || self.power > 2 => {
-                    let row = by.map(|by| weight * dot(by, normal) / self.unit);
-                    let rest = if self.power == 2 {
-                        dot(off, normal) / self.unit
-                    } else {
-                        share.powf(half).copysign(dot(off, normal))
-                    };
-                    add(&row, rest);
-                }
-                _ => {
-                    add(&by.map(|by| by.re / self.unit), off.re / self.unit);
-                    add(&by.map(|by| by.im / self.unit), off.im / self.unit);
-                }
+        if timed && self.power == 2 {
+            for (k, wanted) in target.compared.iter().enumerate() {
+                let (by, _) = fitted.derivatives(fitted.feet[k], timed);
+                let off = fitted.point(fitted.feet[k]) - wanted;
+                add(&by.map(|by| by.re / self.unit), off.re / self.unit);
+                add(&by.map(|by| by.im / self.unit), off.im / self.unit);
             }
-        }
-        let both = fitted.distances.iter().skip(target.compared.len());
-        for ((tau, place), distance) in fitted.both.iter().zip(both) {
-            let (by, _) = fitted.derivatives(*tau, timed);
-            let normal = (fitted.point(*tau) - place) / distance.max(f64::MIN_POSITIVE);
-            let share = distance / self.unit;
-            let weight = half * share.powf(half - 1.0) / self.unit;
-            add(&by.map(|by| weight * dot(by, normal)), share.powf(half));
+        } else {
+            for (gradient, distance) in fitted.rows(target) {
+                // d^(p/2) has the derivative (p/2) d^(p/2 − 1) d′.
+                let share = distance.abs() / self.unit;
+                let weight = half * share.powf(half - 1.0) / self.unit;
+                let rest = share.powf(half).copysign(distance);
+                add(&gradient.map(|by| weight * by), rest);
+            }
         }
         for (k, row) in matrix.iter_mut().enumerate() {
             // An unknown that changes no residual stays constant.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Complex;
 
 use super::curve::dot;
-use super::fitted::Fitted;
+use super::fitted::{Fitted, nearest};
 use super::target::{Course, Target};
 use crate::numeric::max_abs;
 
@@ -33,22 +33,11 @@ impl Deviation {
             let distances = places.map(|(turn, wanted)| (fitted.at_turn(*turn) - wanted).norm());
             return Self::from_distances(&distances.collect::<Vec<f64>>());
         }
-        let part = part(fitted, target);
-        let step = (part[1] - part[0]) / (PLACES - 1) as f64;
-        let tau = |k: usize| part[0] + step * k as f64;
-        let curve: Vec<Complex<f64>> = (0..PLACES).map(|k| fitted.point(tau(k))).collect();
-        let mut distances: Vec<f64> = Vec::new();
-        for wanted in &target.outline {
-            let (mut k, mut square) = (0, f64::INFINITY);
-            for (j, place) in curve.iter().enumerate() {
-                let here = (place - wanted).norm_sqr();
-                if here < square {
-                    (k, square) = (j, here);
-                }
-            }
-            let (_, foot) = fitted.foot(*wanted, tau(k), STEPS);
-            distances.push(foot);
-        }
+        let curve = fitted.sampled(part(fitted, target), PLACES);
+        let foot =
+            |wanted: &Complex<f64>| fitted.foot(*wanted, nearest(&curve, *wanted).0, STEPS).1;
+        let distances = target.outline.iter().map(foot).collect();
+        let curve: Vec<Complex<f64>> = curve.into_iter().map(|(_, place)| place).collect();
         Self::both_ways(distances, &curve, target)
     }
 

@@ -1,13 +1,16 @@
 //! A linkage in the plane of the path: the unknowns of a descent, and the feet of the path on its curve.
 
+mod feet;
+
 use nalgebra::Complex;
 
 use super::compare::{Candidate, Match, Part};
 use super::curve::{Curve, Kind, dot, times_i};
-use super::distance::{Deviation, Path, part};
-use super::target::{Course, Target};
+use super::distance::Deviation;
+use super::target::Target;
 use crate::numeric::max_abs;
 use crate::tolerance;
+pub(super) use feet::nearest;
 
 /// Number of unknowns: two each for α, β and w, three dimensions, and the crank angle at the first place.
 pub(super) const UNKNOWNS: usize = 10;
@@ -15,17 +18,6 @@ pub(super) type Unknowns = [f64; UNKNOWNS];
 
 /// The greatest length of a linkage, relative to the size of the path.
 const REACH: f64 = 25.0;
-/// The greatest step of a foot along τ.
-const FOOT_STEP: f64 = 0.2;
-
-/// Maximum number of further steps to a foot after a step that went past it. A step counts as past the foot if it
-/// leaves more than the part `CONTRACTION` of the distance along the curve, on the other side.
-const MORE_STEPS: usize = 8;
-const CONTRACTION: f64 = 0.3;
-
-/// Number of places of the traced curve that a descent compares with the path.
-const PLACES: usize = 48;
-
 /// A linkage in the plane of the path, with its feet.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted {
@@ -44,6 +36,8 @@ pub(super) struct Fitted {
     /// until [`Self::both_ways`].
     pub(super) both: Vec<(f64, Complex<f64>)>,
     compares_both: bool,
+    /// Places of the traced curve that are compared with the path, as fractions of the part that traces it.
+    places: Vec<f64>,
 }
 
 impl Fitted {
@@ -83,10 +77,12 @@ impl Fitted {
             distances: Vec::new(),
             both: Vec::new(),
             compares_both: false,
+            places: Vec::new(),
         };
         let sound = x.iter().all(|x| x.is_finite()) && fitted.within_reach();
         sound.then(|| {
             fitted.settle(target, 3);
+            fitted.seek_feet(target);
             fitted
         })
     }
@@ -107,15 +103,8 @@ impl Fitted {
             distances: Vec::new(),
             both: Vec::new(),
             compares_both: false,
+            places: Vec::new(),
         }
-    }
-
-    /// The same linkage with the distances of the path's corners from its curve, and of places of its curve from the path,
-    /// among its distances, if the path is a drawn curve without crank angles.
-    pub(super) fn both_ways(mut self, target: &Target) -> Self {
-        self.compares_both = target.course() != Course::Points && target.angles.is_none();
-        self.settle(target, 1);
-        self
     }
 
     fn within_reach(&self) -> bool {
@@ -155,89 +144,6 @@ impl Fitted {
         self.point(self.x[9] + self.sense * turn)
     }
 
-    /// The foot of a place near a given τ, and its distance; the given τ itself if no step reduces the distance.
-    /// At the end of a narrow curve a step may go past the foot; then more steps follow, by the secant method.
-    pub(super) fn foot(&self, wanted: Complex<f64>, from: f64, steps: usize) -> (f64, f64) {
-        let alpha = self.alpha();
-        let approach = |tau: f64| {
-            let pose = self.curve.place(tau);
-            let off = self.laid(self.curve.point(&pose)) - wanted;
-            let tangent = alpha * mirrored(self.curve.tangent(&pose), self.mirrored);
-            let square = tangent.norm_sqr().max(f64::MIN_POSITIVE);
-            (dot(off, tangent), square, off.norm())
-        };
-        let mut tau = from;
-        let (mut along, mut square, first) = approach(from);
-        let mut distance = first;
-        let mut past = None;
-        for k in 0..steps + MORE_STEPS {
-            if k >= steps && past.is_none() {
-                break;
-            }
-            let step = past.unwrap_or(along / square).clamp(-FOOT_STEP, FOOT_STEP);
-            let before = along;
-            tau -= step;
-            (along, square, distance) = approach(tau);
-            let is_past = along * before < 0.0 && along.abs() > CONTRACTION * before.abs();
-            past = is_past.then(|| step * along / (before - along));
-        }
-        if distance <= first {
-            (tau, distance)
-        } else {
-            (from, first)
-        }
-    }
-
-    /// Moves each foot to the nearest place of the curve near it or, if crank angles are given, to the place at its
-    /// angle, and measures the distances.
-    fn settle(&mut self, target: &Target, steps: usize) {
-        let mut distances = std::mem::take(&mut self.distances);
-        distances.clear();
-        let start = self.x[9];
-        for (k, wanted) in target.compared.iter().enumerate() {
-            let (tau, distance) = match &target.angles {
-                Some(angles) => {
-                    let tau = start + self.sense * angles[k];
-                    (tau, (self.point(tau) - wanted).norm())
-                }
-                None => self.foot(*wanted, self.feet[k], steps),
-            };
-            self.feet[k] = tau;
-            distances.push(distance);
-        }
-        let known = std::mem::take(&mut self.both);
-        if self.compares_both {
-            for (k, wanted) in target.corners().enumerate() {
-                let from = known.get(k).map(|(tau, _)| *tau);
-                let from = from.unwrap_or_else(|| self.nearest_foot(wanted));
-                let (tau, distance) = self.foot(wanted, from, steps);
-                self.both.push((tau, wanted));
-                distances.push(distance);
-            }
-            let (path, [from, to]) = (Path::new(target), part(self, target));
-            let step = (to - from) / PLACES as f64;
-            for k in 0..PLACES {
-                let tau = from + step * (k as f64 + 0.5);
-                let place = self.point(tau);
-                let nearest = path.nearest(place);
-                self.both.push((tau, nearest));
-                distances.push((place - nearest).norm());
-            }
-        }
-        self.distances = distances;
-    }
-
-    /// The foot of the compared places that is nearest to a place.
-    fn nearest_foot(&self, wanted: Complex<f64>) -> f64 {
-        let square = |tau: &f64| (self.point(*tau) - wanted).norm_sqr();
-        let nearest = self
-            .feet
-            .iter()
-            .copied()
-            .min_by(|a, b| square(a).total_cmp(&square(b)));
-        nearest.unwrap_or(0.0)
-    }
-
     /// The deviation from the distances that are compared.
     pub(super) fn at_feet(&self) -> Deviation {
         Deviation::from_distances(&self.distances)
@@ -264,6 +170,32 @@ impl Fitted {
             next.settle(target, 1);
             next
         })
+    }
+
+    /// Signed distances that are compared, each with its derivatives with respect to the unknowns. A distance does not
+    /// change to first order as its foot moves along the curve.
+    pub(super) fn rows(&self, target: &Target) -> Vec<(Unknowns, f64)> {
+        let timed = target.angles.is_some();
+        let row = |tau: f64, wanted: Complex<f64>, is_foot: bool| {
+            let (by, tangent) = self.derivatives(tau, timed);
+            let off = self.point(tau) - wanted;
+            let normal = if is_foot && tangent.norm() > tolerance::COINCIDENT {
+                times_i(tangent / tangent.norm())
+            } else {
+                off / off.norm().max(f64::MIN_POSITIVE)
+            };
+            (
+                by.map(|by| dot(by, normal)),
+                off.norm().copysign(dot(off, normal)),
+            )
+        };
+        let feet = self.feet.iter().zip(&target.compared);
+        let feet = feet.map(|(tau, wanted)| row(*tau, *wanted, !timed));
+        let both = self
+            .both
+            .iter()
+            .map(|(tau, place)| row(*tau, *place, false));
+        feet.chain(both).collect()
     }
 
     /// Derivatives of the place at a foot with respect to all unknowns, then with respect to τ.
@@ -338,6 +270,7 @@ pub(super) mod tests {
             distances: Vec::new(),
             both: Vec::new(),
             compares_both: false,
+            places: Vec::new(),
         }
     }
 

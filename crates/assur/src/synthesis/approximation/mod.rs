@@ -12,7 +12,8 @@
 //! | `special` | straight lines and circles, which are met exactly |
 //! | `curve` | coupler curves in closed form, with derivatives |
 //! | `draws`, `compare` | candidates and their comparison |
-//! | `fitted`, `descent` | a linkage in the plane of the path; its descent to a local optimum |
+//! | `fitted`, `fitted/feet` | a linkage in the plane of the path; the feet of the path on its curve |
+//! | `descent`, `minimax` | its descent to a local optimum; the last steps to the least greatest distance |
 //! | `distance` | distances between path and curve |
 //! | `search` | the search, step by step |
 //! | `approximation` | a result, as a linkage with its verdict |
@@ -31,6 +32,7 @@ mod descent;
 mod distance;
 mod draws;
 mod fitted;
+mod minimax;
 mod search;
 mod special;
 mod target;

@@ -9,6 +9,7 @@ use super::descent::Descent;
 use super::distance::{Deviation, part};
 use super::draws::Draws;
 use super::fitted::Fitted;
+use super::minimax;
 use super::target::Target;
 use crate::sorting::sort_by;
 use crate::tolerance;
@@ -100,6 +101,12 @@ const KEPT: usize = 6;
 /// Maximum number of steps of a descent; `LAST_STEPS` is that of the last descents to a good optimum.
 const STEPS: usize = 25;
 const LAST_STEPS: usize = 60;
+/// Power of the distances whose sum is minimized before the greatest distance itself.
+const FIRST_POWER: i32 = 8;
+/// Maximum number of times that the farthest places are added and the greatest distance is minimized, and of steps of
+/// each time.
+const EXCHANGES: usize = 5;
+const MINIMAX_STEPS: usize = 30;
 /// Relative decrease of the sum in a step below which the descent of a candidate ends; `SETTLED` is that for good ones.
 const SCREENED: f64 = 1e-2;
 const SETTLED: f64 = tolerance::TRIPLE_ROOT;
@@ -291,7 +298,7 @@ impl Search {
     /// cannot be reached from one of least squares.
     fn keep_directly(&mut self, fitted: Fitted, candidate: Candidate) {
         let fitted = fitted.both_ways(&self.target);
-        let fitted = Descent::new(fitted, 8, SCREENED).run(&self.target, STEPS);
+        let fitted = Descent::new(fitted, FIRST_POWER, SCREENED).run(&self.target, STEPS);
         let worst = self.optima.last().map(|worst| self.rank(&worst.deviation));
         if worst.is_none_or(|worst| self.rank(&fitted.at_feet()) < HOPE * worst) {
             self.add(fitted, candidate, None);
@@ -300,19 +307,25 @@ impl Search {
 
     /// Adds an optimum after the last descents, which compare all distances of its deviation, if it is among the best.
     fn add(&mut self, fitted: Fitted, candidate: Candidate, squares: Option<f64>) {
-        let powers: &[i32] = match self.wanted.norm {
-            Norm::Squares => &[2],
-            Norm::Greatest => &[8, 32, 128],
-        };
         let deviation = Deviation::of(&fitted, &self.target);
         let mut best = (fitted.clone(), deviation);
+        let (power, exchanges) = match self.wanted.norm {
+            Norm::Squares => (2, 0),
+            Norm::Greatest => (FIRST_POWER, EXCHANGES),
+        };
         let mut fitted = fitted.both_ways(&self.target);
-        for power in powers {
-            fitted = Descent::new(fitted, *power, SETTLED).run(&self.target, LAST_STEPS);
+        fitted = Descent::new(fitted, power, SETTLED).run(&self.target, LAST_STEPS);
+        for exchange in 0..=exchanges {
             let deviation = Deviation::of(&fitted, &self.target);
             if self.rank(&deviation) < self.rank(&best.1) {
                 best = (fitted.clone(), deviation);
             }
+            let is_settled = deviation.greatest <= fitted.greatest() * (1.0 + SAME);
+            if exchange == exchanges || (exchange > 1 && is_settled) {
+                break;
+            }
+            fitted = fitted.both_ways(&self.target);
+            fitted = minimax::descend(fitted, &self.target, MINIMAX_STEPS);
         }
         let (fitted, deviation) = best;
         let candidate = self.candidate_of(&fitted, candidate);
