@@ -100,8 +100,15 @@ fn a_driven_slide_in_any_unit() {
             drivers: vec![driver],
             ..spec
         };
+        let knots = [[1.2, 0.0], [1.3, 3.0], [1.42, -2.0], [1.48, 0.5]];
         let loading = LoadingSpec {
             gravity: Vector::new(0.0, -GRAVITY * unit),
+            loads: vec![LoadSpec::Force {
+                at: AnchorSpec::new("block", "P"),
+                direction: 0.0,
+                turns: false,
+                law: Law::Table(knots.map(|knot| knot.map(|x| x * unit)).to_vec()),
+            }],
             friction: vec![
                 slide("block", 0.1),
                 hinge("P", 0.2, 0.03 * unit),

@@ -1,5 +1,7 @@
 //! A valid loading of a mechanism: masses of its bodies, and forces at places of its bodies.
 
+use std::f64::consts::TAU;
+
 use super::friction::Friction;
 use super::masses::{BodyMass, crank, mass};
 use super::names::Names;
@@ -9,6 +11,7 @@ use crate::Vector;
 use crate::index::{BodyId, List};
 use crate::mechanism::Mechanism;
 use crate::position::BodyPoint;
+use crate::tolerance;
 
 /// Masses and loads of a mechanism, with everything named found in it.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,17 +162,24 @@ impl Loading {
         loading
     }
 
-    /// Inputs at which the tables of the loads have knots.
-    pub(super) fn knots(&self) -> impl Iterator<Item = f64> {
+    /// Way from an input in a sense, ±1, to the next knot of a table of the loads; infinite if there is none. A step
+    /// beyond a knot would not see it if no stage is behind it.
+    pub(super) fn way_to_knot(&self, input: f64, sense: f64) -> f64 {
         let laws = self.loads.iter().filter_map(|load| match load {
             Load::Force { law, .. } | Load::Torque { law, .. } => Some(law),
             Load::Drag { .. } | Load::AngularDrag { .. } => None,
         });
-        laws.flat_map(|law| match law {
+        let knots = laws.flat_map(|law| match law {
             Law::Table(knots) => knots.as_slice(),
             Law::Constant(_) | Law::Harmonics(_) => &[],
-        })
-        .map(|[input, _]| *input)
+        });
+        let ways = knots.map(|[knot, _]| {
+            let way = sense * (knot - input);
+            // The tables of a crank repeat each turn.
+            if self.turns { way.rem_euclid(TAU) } else { way }
+        });
+        let ahead = ways.filter(|way| *way > tolerance::NEGLIGIBLE);
+        ahead.fold(f64::INFINITY, f64::min)
     }
 
     /// True if the first driver is a crank, which can bear a flywheel.

@@ -119,7 +119,7 @@ pub struct FrictionDocument {
     pub length: Option<f64>,
 }
 
-/// The motor of the first driver: its torque in N·m by the speed of the crank in rad/s. If a slide is driven, its force
+/// The motor of a driver: its torque in N·m by the speed of the crank in rad/s. If a slide is driven, its force
 /// in N by the speed in units of length per second.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS), ts(optional_fields = nullable))]

@@ -356,16 +356,8 @@ impl LagrangeRun {
     fn part_to_knot(&self, advance: &Advance<WIDTH>) -> Option<f64> {
         let (from, by) = (self.at[0], advance.moved[0]);
         let unit = self.freedoms.units[0];
-        let parts = self.freedoms.loading.knots().map(|knot| {
-            let way = knot / unit - from;
-            // The tables of a crank repeat each turn.
-            let way = if self.freedoms.loading.turns {
-                by.signum() * (by.signum() * way).rem_euclid(std::f64::consts::TAU)
-            } else {
-                way
-            };
-            way / by
-        });
+        let way = self.freedoms.loading.way_to_knot(from * unit, by.signum());
+        let part = way / (unit * by.abs());
         let near = tolerance::NEGLIGIBLE / by.abs();
         let of_motors = self.actuators.iter().enumerate();
         let of_motors = of_motors.filter_map(|(index, actuator)| {
@@ -375,7 +367,7 @@ impl LagrangeRun {
             let unit = self.freedoms.units[index];
             motor.part_to_knot(self.rates[index] * unit, advance.gained[index] * unit)
         });
-        parts
+        std::iter::once(part)
             .filter(|part| *part > near && *part < 1.0 - near)
             .chain(of_motors)
             .min_by(f64::total_cmp)

@@ -27,8 +27,6 @@ pub(super) struct System {
     pose: Pose<3>,
     /// Unit of the input: a radian, or a part of the range of a slide.
     pub(super) unit: f64,
-    /// Knots of the tables of loads.
-    knots: Vec<f64>,
     pub(super) friction: Option<MovingFriction>,
     /// Sense of the motion in the current step.
     sense: f64,
@@ -84,7 +82,6 @@ impl System {
             height: mechanism.middle().coords.dot(&loading.gravity),
             pose: mechanism.blank(),
             unit: mechanism.span() / TAU,
-            knots: loading.knots().collect(),
             friction: MovingFriction::new(mechanism, loading),
             sense: 1.0,
             unbalanced: None,
@@ -282,18 +279,11 @@ impl System {
         self.friction.is_some()
     }
 
-    /// Way from an input in a sense to the next knot of a table. A step beyond it would not see the knot if no
-    /// stage is behind it.
+    /// The greatest step from an input in a sense: to the next knot of a table of the loads, at most the span of the
+    /// motion.
     pub(super) fn way_to_knot(&self, input: f64, sense: f64) -> f64 {
-        let ways = self.knots.iter().map(|knot| {
-            let way = (sense * (knot - input)).rem_euclid(TAU);
-            if way > tolerance::NEGLIGIBLE {
-                way
-            } else {
-                TAU
-            }
-        });
-        ways.fold(TAU, f64::min)
+        let way = self.loading.way_to_knot(input, sense);
+        way.min(TAU * self.unit)
     }
 
     /// Part of each moving body in the reduced moment of inertia at an input; None where there is no pose.
