@@ -130,8 +130,7 @@ impl Block {
         }
         let x = (first[2] * d - first[1] * second[2]) / determinant;
         let y = (a * second[2] - second[0] * first[2]) / determinant;
-        work.take(inner[0], x)?;
-        work.take(inner[1], y)?;
+        work.take_both(inner, [x, y])?;
         for k in 0..2 {
             work.hold(self.bodies[k], &outer[k], &freedoms[k])?;
         }
@@ -295,21 +294,35 @@ impl Work<'_> {
     /// Sets the components of a pair so that all on a body is balanced.
     fn hold(&mut self, body: BodyId, pair: &Held, freedom: &Freedom) -> Option<()> {
         let total = self.totals[body];
-        let [first, second] = pair.0;
-        let sign = self.sign(body, first);
-        match freedom {
-            Freedom::About(_) => {
-                self.take(first, -sign * total.force.x)?;
-                self.take(second, -sign * total.force.y)
-            }
+        let first = pair.0[0];
+        let sign = -self.sign(body, first);
+        let values = match freedom {
+            Freedom::About(_) => [sign * total.force.x, sign * total.force.y],
             Freedom::Along(_, at) => {
                 let normal = self.placed[first].force;
                 let arm = self.state.bodies[body].origin[0] - at;
                 let moment = arm.perp(&total.force) + total.moment;
-                self.take(first, -sign * normal.dot(&total.force))?;
-                self.take(second, -sign * moment / self.size)
+                [sign * normal.dot(&total.force), sign * moment / self.size]
             }
+        };
+        self.take_both(pair.0, values)
+    }
+
+    /// Sets both components of a lower pair and lets its reaction act on the two bodies; None if a value is not finite.
+    fn take_both(&mut self, pair: [usize; 2], values: [f64; 2]) -> Option<()> {
+        let [one, other] = pair.map(|component| &self.placed[component]);
+        let [x, y] = values;
+        (self.values[pair[0]], self.values[pair[1]]) = (x, y);
+        let force = one.force * x + other.force * y;
+        let couple = (one.couples[0] * x + other.couples[0] * y) * self.size;
+        let [acted, base] = self.components[pair[0]].bodies;
+        for (body, sign) in [(acted, 1.0), (base, -1.0)] {
+            let arm = one.at - self.state.bodies[body].origin[0];
+            let total = &mut self.totals[body];
+            total.force += force * sign;
+            total.moment += (arm.perp(&force) + couple) * sign;
         }
+        (x.is_finite() && y.is_finite()).then_some(())
     }
 
     /// Sets the value of a component and lets it act on its bodies; None if the value is not finite.

@@ -103,10 +103,18 @@ impl Reactions {
 
     /// Places the components of pairs and drives in a pose.
     pub(super) fn place(&mut self, forces: &Kinetostatics, state: &State<3>) {
-        let components = forces.components.iter();
         self.placed.clear();
-        self.placed
-            .extend(components.map(|component| component.placed(state)));
+        for component in &forces.components {
+            // The y-component of a hinge has the place of its x-component, the component before it.
+            let placed = match (component.wrench, self.placed.last()) {
+                (Wrench::Y(_), Some(x)) => Placed {
+                    force: Vector::y(),
+                    ..*x
+                },
+                _ => component.placed(state),
+            };
+            self.placed.push(placed);
+        }
     }
 
     pub(super) fn fill(
