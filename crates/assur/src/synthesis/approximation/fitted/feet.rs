@@ -28,6 +28,12 @@ const EVEN: usize = 48;
 /// Number of places of the traced curve among which feet are sought; `FINE` is that for the farthest places.
 const SOUGHT: usize = 192;
 const FINE: usize = 256;
+/// Least interval between two compared places, as a fraction of the part that traces the path.
+const APART: f64 = 1e-3;
+/// Distance of two neighbouring places between which another is sought, unless they are within a part `SHORTEST` of the
+/// interval.
+const FAR_APART: f64 = 0.02;
+const SHORTEST: f64 = 0.02;
 /// Distance, relative to the greatest, from which a local maximum is compared.
 const FAR: f64 = 0.5;
 
@@ -49,24 +55,29 @@ impl Fitted {
     /// Adds the places of the curve at which the distance from the path is a local maximum.
     fn add_farthest(&mut self, target: &Target) {
         let path = Path::new(target);
-        let curve = self.sampled(part(self, target), FINE);
+        let part = part(self, target);
+        let curve = self.sampled(part, FINE);
         let distances = curve
             .iter()
             .map(|(_, place)| (path.nearest(*place) - place).norm());
         let distances: Vec<f64> = distances.collect();
         let far = FAR * max_abs(distances.iter().copied());
-        let share = |k: usize| k as f64 / (FINE - 1) as f64;
+        let [from, to] = part;
+        if to <= from {
+            return;
+        }
+        let share = |tau: f64| (tau - from) / (to - from);
         let places = &mut self.places;
         if places.is_empty() {
             places.extend((0..EVEN).map(|k| (k as f64 + 0.5) / EVEN as f64));
         }
         for (k, beside) in distances.windows(3).enumerate() {
             if beside[1] > far && beside[1] >= beside[0] && beside[1] > beside[2] {
-                places.push(share(k + 1));
+                places.push(share(curve[k + 1].0));
             }
         }
         places.sort_by(f64::total_cmp);
-        places.dedup_by(|b, a| *b - *a < 0.25 * share(1));
+        places.dedup_by(|b, a| *b - *a < APART);
     }
 
     /// Moves each foot of a closed path to the nearest place of the whole curve. A foot that only follows its neighbourhood
@@ -90,15 +101,28 @@ impl Fitted {
         self.settle(target, 2);
     }
 
-    /// Places of the curve at equal steps of τ, with both ends.
+    /// Places of the curve with their τ, in order: at equal steps with both ends, and between them where the curve moves
+    /// fast, as near a change point.
     pub(in crate::synthesis::approximation) fn sampled(
         &self,
         [from, to]: [f64; 2],
         count: usize,
     ) -> Vec<(f64, Complex<f64>)> {
+        let at = |tau: f64| (tau, self.point(tau));
         let step = (to - from) / (count - 1) as f64;
-        let taus = (0..count).map(|k| from + step * k as f64);
-        taus.map(|tau| (tau, self.point(tau))).collect()
+        let mut found = vec![at(from)];
+        for k in 1..count {
+            let mut ahead = vec![at(from + step * k as f64)];
+            while let (Some(next), Some(last)) = (ahead.pop(), found.last()) {
+                let is_far = (next.1 - last.1).norm() > FAR_APART;
+                if is_far && next.0 - last.0 > SHORTEST * step {
+                    ahead.extend([next, at(0.5 * (last.0 + next.0))]);
+                } else {
+                    found.push(next);
+                }
+            }
+        }
+        found
     }
 
     /// The foot of a place near a given τ, and its distance; the given τ itself if no step reduces the distance.
