@@ -55,7 +55,7 @@ pub(super) struct Place {
 pub(super) const RATIO: f64 = 30.0;
 /// The least sine of the transmission angle of a crank that turns fully. Nearer to a change point, rounding may move
 /// the linkage to its other assembly.
-const LEAST_SINE: f64 = 0.01;
+pub(super) const LEAST_SINE: f64 = 0.01;
 
 impl Curve {
     /// The curve for given unknowns: the logarithms of l₂, l₃ and l₄, or the logarithm of the rod and the ratio of the

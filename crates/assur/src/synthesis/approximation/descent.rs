@@ -1,14 +1,14 @@
 //! Descent to the least distances from a path: Levenberg and Marquardt's method with exact derivatives.
 //!
-//! The unknowns are the similarity P = αc + β, the place w of the coupler point, and the three dimensions of
-//! [`Curve::new`]. If no crank angles are given, each place of the path has a foot: the nearest place of the curve. The
+//! The unknowns are the similarity P = αc + β, the place w of the coupler point, and the three dimensions: those of
+//! [`turning`](super::turning), or of [`Curve::new`](super::curve::Curve::new) if no crank of the four-bar turns fully.
+//! If no crank angles are given, each place of the path has a foot: the nearest place of the curve. The
 //! distance does not change to first order as the foot moves along the curve, so only the components of the derivatives
 //! normal to the curve are used. If crank angles are given, the crank angle at the first place is an unknown, too. With
 //! growing p the minimum of Σdᵖ approaches that of the greatest distance; Σdᵖ is the sum of squares of d^(p/2).
 
-use super::fitted::{Fitted, UNKNOWNS, Unknowns};
+use super::fitted::{Fitted, UNKNOWNS, Unknowns, step_within};
 use super::target::Target;
-use crate::numeric::linear::solve_positive_definite;
 use crate::tolerance;
 
 /// Initial damping, relative to the diagonal of the normal equations.
@@ -63,7 +63,7 @@ impl Descent {
             for (k, row) in damped.iter_mut().enumerate() {
                 row[k] += self.damping * row[k] + tolerance::CONVERGED;
             }
-            let step = solve_positive_definite(damped, right);
+            let step = step_within(damped, right, self.fitted.limits);
             let next = step.and_then(|step| {
                 let x = std::array::from_fn(|k| self.fitted.x[k] + step[k]);
                 self.fitted.moved(x, target)

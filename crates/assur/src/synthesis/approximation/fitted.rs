@@ -5,9 +5,11 @@ mod feet;
 use nalgebra::Complex;
 
 use super::compare::{Candidate, Match, Part};
-use super::curve::{Curve, Kind, dot, times_i};
+use super::curve::{Curve, Kind, Swing, dot, times_i};
 use super::distance::Deviation;
 use super::target::Target;
+use super::turning;
+use crate::numeric::linear::solve_positive_definite;
 use crate::numeric::max_abs;
 use crate::tolerance;
 pub(super) use feet::nearest;
@@ -35,6 +37,8 @@ pub(super) struct Fitted {
     /// those of the path's corners with their feet, then those of the curve with the nearest places of the path. Empty
     /// until [`Self::both_ways`].
     pub(super) both: Vec<(f64, Complex<f64>)>,
+    /// Senses in which the first two unknowns of the dimensions are at their limits; 0 inside.
+    pub(super) limits: [f64; 2],
     compares_both: bool,
     /// Places of the traced curve that are compared with the path, as fractions of the part that traces it.
     places: Vec<f64>,
@@ -76,6 +80,7 @@ impl Fitted {
             sense,
             distances: Vec::new(),
             both: Vec::new(),
+            limits: [0.0; 2],
             compares_both: false,
             places: Vec::new(),
         };
@@ -102,6 +107,7 @@ impl Fitted {
             sense: 0.0,
             distances: Vec::new(),
             both: Vec::new(),
+            limits: [0.0; 2],
             compares_both: false,
             places: Vec::new(),
         }
@@ -136,7 +142,11 @@ impl Fitted {
 
     /// Place of the coupler point on its link, and the dimensions; equal for similar curves.
     pub(super) fn shape(&self) -> [f64; 5] {
-        [4, 5, 6, 7, 8].map(|k| self.x[k])
+        let [x, y, z] = match self.curve.kind {
+            Kind::FourBar => self.curve.sizes.map(f64::ln),
+            Kind::SliderCrank => unknowns(&self.curve),
+        };
+        [self.x[4], self.x[5], x, y, z]
     }
 
     /// Place of the coupler point when the crank has turned through a given angle from the first place.
@@ -154,21 +164,36 @@ impl Fitted {
         max_abs(self.distances.iter().copied())
     }
 
-    /// The linkage with other unknowns; None if there is none.
+    /// The linkage with other unknowns, those beyond their limits moved to them; None if there is none.
     pub(super) fn moved(&self, x: Unknowns, target: &Target) -> Option<Self> {
-        let w = Complex::new(x[4], x[5]);
-        let curve = Curve::new(self.kind, [x[6], x[7], x[8]], w)?;
-        if std::mem::discriminant(&curve.swing) != std::mem::discriminant(&self.curve.swing) {
-            return None;
-        }
-        let mut next = Self {
-            x,
-            curve,
-            ..self.clone()
-        };
+        let mut next = self.with_unknowns(x)?;
         next.within_reach().then(|| {
             next.settle(target, 1);
             next
+        })
+    }
+
+    /// The linkage with other unknowns, before its feet are settled.
+    fn with_unknowns(&self, mut x: Unknowns) -> Option<Self> {
+        let w = Complex::new(x[4], x[5]);
+        let mut dimensions = [x[6], x[7], x[8]];
+        let (unknowns, limits) = if has_turning_crank(&self.curve) {
+            let is_long = self.curve.sizes[2] > 1.0;
+            let (sizes, limits) = turning::sizes(&mut dimensions, is_long);
+            (sizes.map(f64::ln), limits)
+        } else {
+            (dimensions, [0.0; 2])
+        };
+        let curve = Curve::new(self.kind, unknowns, w)?;
+        x[6..9].copy_from_slice(&dimensions);
+        if std::mem::discriminant(&curve.swing) != std::mem::discriminant(&self.curve.swing) {
+            return None;
+        }
+        Some(Self {
+            x,
+            curve,
+            limits,
+            ..self.clone()
         })
     }
 
@@ -209,7 +234,12 @@ impl Fitted {
         let laid = |z: Complex<f64>| alpha * mirrored(z, self.mirrored);
         let (point, tangent) = (self.curve.point(&pose), laid(self.curve.tangent(&pose)));
         let unit = mirrored(point, self.mirrored);
-        let [x, y, z] = self.curve.derivatives(&pose, timed).map(laid);
+        let by = self.curve.derivatives(&pose, timed).map(laid);
+        let [x, y, z] = if has_turning_crank(&self.curve) {
+            turning::chained(by, self.curve.sizes)
+        } else {
+            by
+        };
         let one = Complex::new(1.0, 0.0);
         let start = if timed {
             tangent
@@ -232,10 +262,38 @@ impl Fitted {
     }
 }
 
+/// The step that solves normal equations. An unknown at its limit that would move beyond it stays there.
+pub(super) fn step_within(
+    mut matrix: [Unknowns; UNKNOWNS],
+    mut right: Unknowns,
+    limits: [f64; 2],
+) -> Option<Unknowns> {
+    let step = solve_positive_definite(matrix, right)?;
+    let mut stays = false;
+    for (k, sense) in [6, 7].into_iter().zip(limits) {
+        if sense * step[k] > 0.0 {
+            matrix.iter_mut().for_each(|row| row[k] = 0.0);
+            matrix[k] = [0.0; UNKNOWNS];
+            (matrix[k][k], right[k], stays) = (1.0, 0.0, true);
+        }
+    }
+    if stays {
+        solve_positive_definite(matrix, right)
+    } else {
+        Some(step)
+    }
+}
+
+/// True for a four-bar whose crank turns fully. The unknowns of its dimensions are those of [`turning`].
+fn has_turning_crank(curve: &Curve) -> bool {
+    curve.kind == Kind::FourBar && curve.swing == Swing::Full
+}
+
 /// The unknowns of a curve's dimensions.
 fn unknowns(curve: &Curve) -> [f64; 3] {
     let [x, y, z] = curve.sizes;
     match curve.kind {
+        Kind::FourBar if curve.swing == Swing::Full => turning::coordinates(curve.sizes),
         Kind::FourBar => [x.ln(), y.ln(), z.ln()],
         Kind::SliderCrank => [x.ln(), y / (x - 1.0), 0.0],
     }
@@ -261,7 +319,7 @@ pub(super) mod tests {
             kind,
             mirrored,
             x: {
-                let [x, y, z] = unknowns;
+                let [x, y, z] = super::unknowns(&curve);
                 [0.3, 0.1, -0.05, 0.02, 0.4, 0.7, x, y, z, 0.0]
             },
             curve,
@@ -269,6 +327,7 @@ pub(super) mod tests {
             sense: 0.0,
             distances: Vec::new(),
             both: Vec::new(),
+            limits: [0.0; 2],
             compares_both: false,
             places: Vec::new(),
         }
@@ -298,13 +357,9 @@ pub(super) mod tests {
                     for (k, by) in by.iter().enumerate().take(9) {
                         let step = 1e-6;
                         let shifted = |sign: f64| {
-                            let mut next = fitted.clone();
-                            next.x[k] += sign * step;
-                            let y = next.x;
-                            next.curve =
-                                Curve::new(kind, [y[6], y[7], y[8]], Complex::new(y[4], y[5]))
-                                    .unwrap();
-                            next.point(tau)
+                            let mut x = fitted.x;
+                            x[k] += sign * step;
+                            fitted.with_unknowns(x).unwrap().point(tau)
                         };
                         let quotient = (shifted(1.0) - shifted(-1.0)) / (2.0 * step);
                         let off = dot(quotient - by, normal);

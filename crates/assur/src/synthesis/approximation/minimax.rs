@@ -4,9 +4,8 @@
 //! least squares whose weights are multiplied by the distances that remain (C. L. Lawson, 1961). The weights of a step
 //! are the first ones of the next, because few weightings change them little.
 
-use super::fitted::{Fitted, UNKNOWNS, Unknowns};
+use super::fitted::{Fitted, UNKNOWNS, Unknowns, step_within};
 use super::target::Target;
-use crate::numeric::linear::solve_positive_definite;
 use crate::numeric::max_abs;
 use crate::tolerance;
 
@@ -36,7 +35,7 @@ pub(super) fn descend(mut fitted: Fitted, target: &Target, steps: usize) -> Fitt
         }
         let mut better = None;
         for _ in 0..TRIES {
-            let step = chebyshev_step(&rows, &mut weights, before, damping);
+            let step = chebyshev_step(&rows, &mut weights, before, damping, fitted.limits);
             let x = step.map(|step| std::array::from_fn(|k| fitted.x[k] + step[k]));
             better = x.and_then(|x| fitted.moved(x, target));
             better = better.filter(|next| next.greatest() < before);
@@ -62,6 +61,7 @@ fn chebyshev_step(
     weights: &mut [f64],
     greatest: f64,
     damping: f64,
+    limits: [f64; 2],
 ) -> Option<Unknowns> {
     let mut found = None;
     for _ in 0..WEIGHTINGS {
@@ -80,7 +80,7 @@ fn chebyshev_step(
         for (k, row) in matrix.iter_mut().enumerate() {
             row[k] += damping * row[k] + tolerance::NEGLIGIBLE;
         }
-        let step = solve_positive_definite(matrix, right)?;
+        let step = step_within(matrix, right, limits)?;
         for ((gradient, distance), weight) in rows.iter().zip(weights.iter_mut()) {
             let change: f64 = gradient.iter().zip(&step).map(|(x, y)| x * y).sum();
             *weight *= (distance + change).abs() / greatest;
@@ -113,7 +113,7 @@ mod tests {
             .collect();
         let mut weights = vec![1.0; rows.len()];
         let step = (0..STEPS)
-            .map(|_| chebyshev_step(&rows, &mut weights, 1.0, 0.0))
+            .map(|_| chebyshev_step(&rows, &mut weights, 1.0, 0.0, [0.0; 2]))
             .last();
         let step = step.flatten().unwrap();
         assert!(
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn fewer_distances_than_unknowns() {
         let rows = [row(&[0.0], 0.5), row(&[1.0], 1.0), row(&[1.0], 2.0)];
-        let [x, ..] = chebyshev_step(&rows, &mut [1.0; 3], 2.0, 0.0).unwrap();
+        let [x, ..] = chebyshev_step(&rows, &mut [1.0; 3], 2.0, 0.0, [0.0; 2]).unwrap();
         assert!((x + 1.5).abs() < 1e-3, "{x}");
     }
 }

@@ -11,6 +11,7 @@
 //! | `target` | the wanted path, checked |
 //! | `special` | straight lines and circles, which are met exactly |
 //! | `curve` | coupler curves in closed form, with derivatives |
+//! | `turning` | coordinates of four-bars whose crank turns fully |
 //! | `draws`, `compare` | candidates and their comparison |
 //! | `fitted`, `fitted/feet` | a linkage in the plane of the path; the feet of the path on its curve |
 //! | `descent`, `minimax` | its descent to a local optimum; the last steps to the least greatest distance |
@@ -37,6 +38,7 @@ mod search;
 mod special;
 mod target;
 mod traced;
+mod turning;
 
 pub use approximation::{Approximation, PathVerdict, Tracing};
 pub use atlas::{Atlas, AtlasError, Axis, Cell, Ratio};
