@@ -222,3 +222,43 @@ pub(in crate::synthesis::approximation) fn nearest(
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::super::super::curve::Kind;
+    use super::super::tests::start;
+    use crate::Point;
+    use crate::synthesis::approximation::{Course, Target};
+
+    /// Feet on other strands of the curve itself return to their places when they are sought anew. Those that only follow
+    /// their neighbourhood do not.
+    #[test]
+    fn feet_on_other_strands_are_found() {
+        let mut fitted = start(Kind::FourBar, [1.1, 0.9, 1.3], false);
+        let taus = (0..60).map(|k| TAU * f64::from(k) / 60.0);
+        let points: Vec<Point> = taus
+            .map(|tau| fitted.point(tau))
+            .map(|place| Point::new(place.re, place.im))
+            .collect();
+        let target = Target::new(&points, Course::Closed, None).unwrap();
+        let scale = 1.0 / target.size();
+        let middle = target.scaled(Point::new(0.0, 0.0));
+        for k in 0..2 {
+            fitted.x[k] *= scale;
+        }
+        (fitted.x[2], fitted.x[3]) = (
+            fitted.x[2] * scale + middle.re,
+            fitted.x[3] * scale + middle.im,
+        );
+        let count = target.compared.len();
+        let far = |k: usize| TAU * k as f64 / count as f64 + 2.5;
+        fitted.feet = (0..count).map(far).collect();
+        fitted.settle(&target, 3);
+        assert!(fitted.greatest() > 0.1, "{}", fitted.greatest());
+        fitted.seek_feet(&target);
+        // The path is a polyline of 60 points.
+        assert!(fitted.greatest() < 5e-3, "{}", fitted.greatest());
+    }
+}
