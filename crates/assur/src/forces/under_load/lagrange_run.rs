@@ -367,8 +367,9 @@ impl LagrangeRun {
             let unit = self.freedoms.units[index];
             motor.part_to_knot(self.rates[index] * unit, advance.gained[index] * unit)
         });
-        std::iter::once(part)
+        Some(part)
             .filter(|part| *part > near && *part < 1.0 - near)
+            .into_iter()
             .chain(of_motors)
             .min_by(f64::total_cmp)
     }

@@ -7,7 +7,8 @@
 //! normal to the curve are used. If crank angles are given, the crank angle at the first place is an unknown, too. With
 //! growing p the minimum of Σdᵖ approaches that of the greatest distance; Σdᵖ is the sum of squares of d^(p/2).
 
-use super::fitted::{Fitted, UNKNOWNS, Unknowns, step_within};
+use super::equations::Equations;
+use super::fitted::{Fitted, Unknowns};
 use super::target::Target;
 use crate::tolerance;
 
@@ -57,13 +58,10 @@ impl Descent {
 
     /// Tries one step with growing damping. Sets `over` if no step is useful any more.
     fn step(&mut self, target: &Target) {
-        let (matrix, right) = self.normal_equations(target);
+        let equations = self.equations(target);
         for _ in 0..8 {
-            let mut damped = matrix;
-            for (k, row) in damped.iter_mut().enumerate() {
-                row[k] += self.damping * row[k] + tolerance::CONVERGED;
-            }
-            let step = step_within(damped, right, self.fitted.limits);
+            let damped = equations.damped(self.damping, tolerance::CONVERGED);
+            let step = damped.step(self.fitted.limits);
             let next = step.and_then(|step| {
                 let x = std::array::from_fn(|k| self.fitted.x[k] + step[k]);
                 self.fitted.moved(x, target)
@@ -83,21 +81,12 @@ impl Descent {
         self.over = true;
     }
 
-    /// Normal equations: JᵀJ and −Jᵀr with the residuals r and their Jacobian J.
-    fn normal_equations(&self, target: &Target) -> ([[f64; UNKNOWNS]; UNKNOWNS], Unknowns) {
-        let mut matrix = [[0.0; UNKNOWNS]; UNKNOWNS];
-        let mut right = [0.0; UNKNOWNS];
+    fn equations(&self, target: &Target) -> Equations {
+        let mut equations = Equations::NONE;
         let fitted = &self.fitted;
         let timed = target.angles.is_some();
         let half = 0.5 * f64::from(self.power);
-        let mut add = |row: &Unknowns, rest: f64| {
-            for (k, x) in row.iter().enumerate() {
-                for (sum, y) in matrix[k].iter_mut().zip(row) {
-                    *sum += x * y;
-                }
-                right[k] -= x * rest;
-            }
-        };
+        let mut add = |row: &Unknowns, residual: f64| equations.add(row, residual, 1.0);
         if timed && self.power == 2 {
             for (k, wanted) in target.compared.iter().enumerate() {
                 let (by, _) = fitted.derivatives(fitted.feet[k], timed);
@@ -114,13 +103,8 @@ impl Descent {
                 add(&gradient.map(|by| weight * by), rest);
             }
         }
-        for (k, row) in matrix.iter_mut().enumerate() {
-            // An unknown that changes no residual stays constant.
-            if row[k] <= f64::MIN_POSITIVE {
-                row[k] = 1.0;
-            }
-        }
-        (matrix, right)
+        equations.fix_unused();
+        equations
     }
 }
 

@@ -49,8 +49,7 @@ impl Deviation {
         target: &Target,
     ) -> Self {
         if target.course() != Course::Points {
-            let path = Path::new(target);
-            distances.extend(curve.iter().map(|place| path.distance(*place)));
+            distances.extend(curve.iter().map(|place| target.path.distance(*place)));
         }
         Self::from_distances(&distances)
     }
@@ -73,14 +72,16 @@ impl Deviation {
 }
 
 /// The segments of a path, prepared for many distances.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Path(Vec<Segment>);
 
 impl Path {
-    pub(super) fn new(target: &Target) -> Self {
-        Self(target.segments().map(Segment::new).collect())
+    pub(super) fn new(segments: impl Iterator<Item = [Complex<f64>; 2]>) -> Self {
+        Self(segments.map(Segment::new).collect())
     }
 
-    fn distance(&self, place: Complex<f64>) -> f64 {
+    /// Distance of a place from the path.
+    pub(super) fn distance(&self, place: Complex<f64>) -> f64 {
         let squares = self.0.iter().map(|side| side.square(place));
         squares.fold(f64::INFINITY, f64::min).sqrt()
     }
@@ -100,6 +101,7 @@ impl Path {
 }
 
 /// A segment of the path, prepared for many distances.
+#[derive(Clone, Debug, PartialEq)]
 struct Segment {
     from: Complex<f64>,
     side: Complex<f64>,

@@ -9,7 +9,6 @@ use super::curve::{Curve, Kind, Swing, dot, times_i};
 use super::distance::Deviation;
 use super::target::Target;
 use super::turning;
-use crate::numeric::linear::solve_positive_definite;
 use crate::numeric::max_abs;
 use crate::tolerance;
 pub(super) use feet::nearest;
@@ -259,28 +258,6 @@ impl Fitted {
             start,
         ];
         (by, tangent)
-    }
-}
-
-/// The step that solves normal equations. An unknown at its limit that would move beyond it stays there.
-pub(super) fn step_within(
-    mut matrix: [Unknowns; UNKNOWNS],
-    mut right: Unknowns,
-    limits: [f64; 2],
-) -> Option<Unknowns> {
-    let step = solve_positive_definite(matrix, right)?;
-    let mut stays = false;
-    for (k, sense) in [6, 7].into_iter().zip(limits) {
-        if sense * step[k] > 0.0 {
-            matrix.iter_mut().for_each(|row| row[k] = 0.0);
-            matrix[k] = [0.0; UNKNOWNS];
-            (matrix[k][k], right[k], stays) = (1.0, 0.0, true);
-        }
-    }
-    if stays {
-        solve_positive_definite(matrix, right)
-    } else {
-        Some(step)
     }
 }
 

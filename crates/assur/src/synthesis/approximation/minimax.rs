@@ -4,7 +4,8 @@
 //! least squares whose weights are multiplied by the distances that remain (C. L. Lawson, 1961). The weights of a step
 //! are the first ones of the next, because few weightings change them little.
 
-use super::fitted::{Fitted, UNKNOWNS, Unknowns, step_within};
+use super::equations::Equations;
+use super::fitted::{Fitted, Unknowns};
 use super::target::Target;
 use crate::numeric::max_abs;
 use crate::tolerance;
@@ -66,21 +67,13 @@ fn chebyshev_step(
     let mut found = None;
     for _ in 0..WEIGHTINGS {
         let most = max_abs(weights.iter().copied()).max(f64::MIN_POSITIVE);
-        let (mut matrix, mut right) = ([[0.0; UNKNOWNS]; UNKNOWNS], [0.0; UNKNOWNS]);
+        let mut equations = Equations::NONE;
         for ((gradient, distance), weight) in rows.iter().zip(weights.iter_mut()) {
             *weight = (*weight / most).max(LEAST_WEIGHT);
-            for (k, x) in gradient.iter().enumerate() {
-                let x = *weight * x;
-                for (sum, y) in matrix[k].iter_mut().zip(gradient) {
-                    *sum += x * y;
-                }
-                right[k] -= x * distance;
-            }
+            equations.add(gradient, *distance, *weight);
         }
-        for (k, row) in matrix.iter_mut().enumerate() {
-            row[k] += damping * row[k] + tolerance::NEGLIGIBLE;
-        }
-        let step = step_within(matrix, right, limits)?;
+        let damped = equations.damped(damping, tolerance::NEGLIGIBLE);
+        let step = damped.step(limits)?;
         for ((gradient, distance), weight) in rows.iter().zip(weights.iter_mut()) {
             let change: f64 = gradient.iter().zip(&step).map(|(x, y)| x * y).sum();
             *weight *= (distance + change).abs() / greatest;
@@ -92,6 +85,7 @@ fn chebyshev_step(
 
 #[cfg(test)]
 mod tests {
+    use super::super::fitted::UNKNOWNS;
     use super::*;
 
     /// Steps whose weights continue those of the step before.

@@ -15,6 +15,7 @@
 //! | `draws`, `compare` | candidates and their comparison |
 //! | `fitted`, `fitted/feet` | a linkage in the plane of the path; the feet of the path on its curve |
 //! | `descent`, `minimax` | its descent to a local optimum; the last steps to the least greatest distance |
+//! | `equations` | the normal equations of both |
 //! | `distance` | distances between path and curve |
 //! | `search` | the search, step by step |
 //! | `approximation` | a result, as a linkage with its verdict |
@@ -32,6 +33,7 @@ mod curve;
 mod descent;
 mod distance;
 mod draws;
+mod equations;
 mod fitted;
 mod minimax;
 mod search;

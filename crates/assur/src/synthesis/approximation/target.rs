@@ -2,6 +2,7 @@
 
 use nalgebra::Complex;
 
+use super::distance::Path;
 use super::special::{Scaled, Special};
 use crate::Point;
 use crate::numeric::max_abs;
@@ -61,6 +62,8 @@ pub struct Target {
     /// The points in units of the size, measured from the centre. If no crank angles are given, neighbouring points
     /// that are equal are listed once; of a closed path that repeats itself, only the first lap is listed.
     pub(super) outline: Vec<Complex<f64>>,
+    /// The segments of the outline, prepared for distances.
+    pub(super) path: Path,
     /// At most [`COMPARED`] places of the path, in the same units.
     pub(super) compared: Vec<Complex<f64>>,
     /// Crank angles at the compared places, measured from that at the first place.
@@ -141,10 +144,12 @@ impl Target {
             centre,
             size,
             outline,
+            path: Path::default(),
             compared,
             angles: turns.as_ref().map(|turns| thinned(turns, COMPARED)),
             turns,
         };
+        target.path = Path::new(target.segments());
         if target.turns.is_none() {
             let side = |[from, to]: [Complex<f64>; 2]| (to - from).norm();
             let longest = match course {

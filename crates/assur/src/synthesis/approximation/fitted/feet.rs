@@ -12,7 +12,7 @@ use super::{Fitted, mirrored};
 use crate::angle::nearest_to;
 use crate::numeric::max_abs;
 use crate::synthesis::approximation::curve::dot;
-use crate::synthesis::approximation::distance::{Path, part};
+use crate::synthesis::approximation::distance::part;
 use crate::synthesis::approximation::target::{Course, Target};
 
 /// The greatest step of a foot along τ.
@@ -54,18 +54,14 @@ impl Fitted {
 
     /// Adds the places of the curve at which the distance from the path is a local maximum.
     fn add_farthest(&mut self, target: &Target) {
-        let path = Path::new(target);
-        let part = part(self, target);
-        let curve = self.sampled(part, FINE);
-        let distances = curve
-            .iter()
-            .map(|(_, place)| (path.nearest(*place) - place).norm());
-        let distances: Vec<f64> = distances.collect();
-        let far = FAR * max_abs(distances.iter().copied());
-        let [from, to] = part;
+        let [from, to] = part(self, target);
         if to <= from {
             return;
         }
+        let curve = self.sampled([from, to], FINE);
+        let distances = curve.iter().map(|(_, place)| target.path.distance(*place));
+        let distances: Vec<f64> = distances.collect();
+        let far = FAR * max_abs(distances.iter().copied());
         let share = |tau: f64| (tau - from) / (to - from);
         let places = &mut self.places;
         if places.is_empty() {
@@ -182,7 +178,7 @@ impl Fitted {
         }
         let known = std::mem::take(&mut self.both);
         if self.compares_both {
-            let (path, ends) = (Path::new(target), part(self, target));
+            let ends = part(self, target);
             let curve = if known.is_empty() {
                 self.sampled(ends, SOUGHT)
             } else {
@@ -199,7 +195,7 @@ impl Fitted {
             for share in &self.places {
                 let tau = from + (to - from) * share;
                 let place = self.point(tau);
-                let nearest = path.nearest(place);
+                let nearest = target.path.nearest(place);
                 self.both.push((tau, nearest));
                 distances.push((place - nearest).norm());
             }
