@@ -83,6 +83,12 @@ enum Task {
     /// Makes the start data for four-bars through nine points anew, www/data/nine-points.bin, by monodromy: from one
     /// four-bar to all 1,442 curves
     NinePoints,
+    /// Compares the search for a four-bar that traces a path with differential evolution in the same time: thirty curves,
+    /// five seeds, half an hour on two processors
+    Paths {
+        /// Names of curves [default: all; a wrong name lists them]
+        curves: Vec<String>,
+    },
     /// Prints the speed of engine and page, relative to a yardstick measured in the same run
     ///
     /// Installs what is missing as `test` does. A slow result is not a failure.
@@ -131,14 +137,14 @@ fn perform(task: &Task) -> Result<ExitCode> {
         } => measured::compare(files)?,
         Task::Bench { minutes, save, .. } => bench::run(&workspace, *minutes, save.as_deref())?,
         Task::NinePoints => {
-            let file = "www/data/nine-points.bin";
-            let example = ["-p", "assur", "--example", "nine_points"];
-            cmd!(
-                workspace.shell,
-                "cargo run --release {example...} -- {file}"
-            )
-            .run()?;
+            example(
+                &workspace,
+                "assur",
+                "nine_points",
+                &[NINE_POINTS.to_owned()],
+            )?;
         }
+        Task::Paths { curves } => example(&workspace, "assur-file", "evolution", curves)?,
         Task::Bundle => {
             site::set_up_and_build(&workspace)?;
             site::give_away(&workspace)?;
@@ -183,4 +189,17 @@ fn serve(workspace: &Workspace, port: u16, open: bool) -> Result<()> {
     let status = server.wait()?;
     drop(input);
     bail!("the server ended with {status}")
+}
+
+/// File of the start data for four-bars through nine points.
+const NINE_POINTS: &str = "www/data/nine-points.bin";
+
+/// Runs an example of a crate, built for speed.
+fn example(workspace: &Workspace, package: &str, name: &str, given: &[String]) -> Result<()> {
+    let example = ["--package", package, "--example", name];
+    let run = cmd!(
+        workspace.shell,
+        "cargo run --release {example...} -- {given...}"
+    );
+    Ok(run.run()?)
 }
