@@ -58,7 +58,7 @@ pub struct Approximation {
     /// Distances between the path and the traced curve.
     pub deviation: Deviation,
     /// Order, circuit, branch, Grashof type and transmission; None if a four-bar is in one position at two places of
-    /// the path that are not neighbours.
+    /// the path that are neither neighbours nor its ends.
     pub verdict: Option<PathVerdict>,
     /// Angles of the crank from the x-axis at the compared places of the path, without jumps by whole turns.
     pub inputs: Vec<f64>,
@@ -84,6 +84,9 @@ impl Places {
 const JUDGED: usize = 24;
 /// Minimum sine of the transmission angle at which a drawn pose shows its assembly without doubt.
 const CLEAR: f64 = 0.2;
+
+/// Angle between two positions, in radians, below which they are the same.
+const SAME_POSITION: f64 = 1e-9;
 
 impl Approximation {
     /// Linkage found by a descent, in the units of the path; None if rounding makes it invalid.
@@ -169,21 +172,31 @@ fn drawn(fitted: &Fitted) -> f64 {
 
 impl PathVerdict {
     /// The verdict on a linkage, from the vectors of crank and rocker (`bars`) and the continuous crank angles
-    /// (`inputs`) at places of a path. None if a four-bar is in one position at two places that are not neighbours.
+    /// (`inputs`) at places of a path. None if a four-bar is in one position at two places that are neither neighbours
+    /// nor the ends of the path.
     pub(super) fn new(linkage: &Tracing, bars: &[[Vector; 2]], inputs: &[f64]) -> Option<Self> {
         match linkage {
             Tracing::FourBar(linkage) => {
                 let count = bars.len().min(JUDGED);
                 let chosen = (0..count).map(|k| k * (bars.len() - 1) / (count.max(2) - 1));
                 let mut positions: Vec<Position> = Vec::new();
+                let same = |a: Position, b: Position| {
+                    let near = |a: f64, b: f64| (a - nearest_to(b, a)).abs() < SAME_POSITION;
+                    near(a.input, b.input) && near(a.output, b.output)
+                };
                 for k in chosen {
                     let output = bars[k][1];
                     let position = Position::new(output.y.atan2(output.x), inputs[k]);
                     // Neighbouring places at a corner of the path may have the same foot.
-                    let same = |last: &Position| (last.input - position.input).abs() < 1e-9;
-                    if !positions.last().is_some_and(same) {
+                    if positions.last().is_none_or(|last| !same(*last, position)) {
                         positions.push(position);
                     }
+                }
+                // A path that ends where it began meets its first position twice.
+                if let [first, .., last] = positions[..]
+                    && same(first, last)
+                {
+                    positions.pop();
                 }
                 let [a, d] = linkage.pivots();
                 let frame = Frame {

@@ -55,6 +55,11 @@ fn feet_of_points_on_the_curve_are_their_inputs() {
         panic!("{:?}", traced.verdict);
     };
     assert_eq!(verdict.order, crate::synthesis::four_bar::Order::Growing);
+    // The same path, back to its first point.
+    let there_and_back = [points.as_slice(), &points[..1]].concat();
+    let target = Target::new(&there_and_back, Course::Points, None).unwrap();
+    let traced = Traced::new(&linkage, &motion, &target).unwrap();
+    assert_eq!(traced.verdict, Some(PathVerdict::FourBar(verdict)));
 }
 
 /// Points of both assemblies: of a crank-rocker on two circuits, of a triple rocker on two branches of one. The motion
