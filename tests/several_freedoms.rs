@@ -322,3 +322,37 @@ fn invariance() {
         }
     }
 }
+
+/// The angle of a link relative to a moving one is between −180° and 180° in the drawing, however the drawing is turned.
+/// A spring between the two links counts the same angle.
+#[test]
+fn relative_angles_of_a_drawing_that_is_turned() {
+    for relative in [-170.0_f64, -10.0, 95.0, 170.0] {
+        for turned in (0..360).step_by(20) {
+            let mut spec = double_pendulum();
+            let turned = f64::from(turned).to_radians();
+            let at = |angle: f64| Vector::new(angle.cos(), angle.sin());
+            spec.points[1].at = at(turned).into();
+            spec.points[2].at = spec.points[1].at + at(turned + relative.to_radians());
+            let motion = motion(&spec);
+            let spring = SpringSpec::Torsion {
+                links: ["lower".to_owned(), "upper".to_owned()],
+                stiffness: 2.0,
+                free_angle: 0.0,
+            };
+            let loads = LoadingSpec {
+                springs: vec![spring],
+                ..LoadingSpec::default()
+            };
+            let (loading, from) = (loading(&motion, &loads), motion.drawn_input());
+            let run = LagrangeRun::new(&motion, &loading, &[FREE, FREE], from, &[0.0; 2]).unwrap();
+            let (now, expected) = (run.reading(), relative.to_radians());
+            assert!(near(now.coordinates[0], turned, 1.0, 1e-12), "{now:?}");
+            assert!(near(now.coordinates[1], expected, 1.0, 1e-12), "{now:?}");
+            assert!(
+                near(now.potential, expected * expected, 1.0, 1e-11),
+                "{now:?}"
+            );
+        }
+    }
+}

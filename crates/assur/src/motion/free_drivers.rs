@@ -2,7 +2,9 @@
 
 use super::Motion;
 use super::continuation::{MAX_TURN, Prediction};
+use crate::angle::whole_turns;
 use crate::index::{BodyId, List, StepId};
+use crate::linkage::{DriverSpec, FRAME};
 use crate::mechanism::{AssemblySigns, Cause, Mechanism, Pose, Unsolved, solve_steps};
 use crate::position::{
     DriveLaw, Enclosure, Mounting, Nearby, Orientation, Predictor, Sign, State, Step, StepContext,
@@ -65,8 +67,21 @@ impl FreeDrivers {
             coordinates,
             steps,
         };
+        if free.tracked.is_empty() {
+            free.drop_whole_turns();
+        }
         free.take_signs(pose.state(), input)?;
         Ok(free)
+    }
+
+    /// Reduces the angles of cranks relative to moving links to at most half a turn. Wheels in mesh would turn with them.
+    fn drop_whole_turns(&mut self) {
+        let drivers = &self.motion.mechanism().spec().drivers;
+        for (coordinate, driver) in self.coordinates.iter_mut().zip(drivers).skip(1) {
+            if matches!(driver, DriverSpec::Crank { base, .. } if base != FRAME) {
+                *coordinate -= whole_turns(*coordinate);
+            }
+        }
     }
 
     /// Gives each step the sign for which its bodies are nearest to those of a pose. Closed forms of the motion count
