@@ -20,6 +20,9 @@ const MAX_ROWS: f64 = 1e7;
 /// Names of the last columns of every table.
 const ENERGIES: [&str; 4] = ["kinetic", "potential", "work", "lost"];
 
+/// Greatest time of a run, seconds.
+const MAX_TIME: f64 = 1e6;
+
 /// Arguments of `assur run`.
 #[derive(Args)]
 pub(crate) struct Asked {
@@ -64,12 +67,14 @@ pub(crate) fn write(out: &mut impl Write, asked: &Asked) -> Result<(), Failure> 
         rounded(asked.until / 100.0, digits)
     });
     if !(asked.until > 0.0
-        && asked.until.is_finite()
+        && asked.until <= MAX_TIME
         && every > 0.0
         && asked.until / every <= MAX_ROWS)
     {
-        let said = "--until and --every: give times greater than zero, with at most 10000000 rows";
-        return Err(Failure::Input(said.to_owned()));
+        let said = format!(
+            "--until and --every: give times greater than zero, at most {MAX_TIME} s and {MAX_ROWS} rows"
+        );
+        return Err(Failure::Input(said));
     }
     let from = asked
         .from

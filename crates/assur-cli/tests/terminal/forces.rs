@@ -199,11 +199,13 @@ fn forces_that_are_none_are_said() {
         &["run", "--until", "1"],
         "motor: a number",
     );
-    told(
-        &|one| one["links"][0]["mass"] = json!(0),
-        &["run", "--until", "0"],
-        "--until",
-    );
+    for time in ["0", "1e300"] {
+        told(
+            &|one| one["links"][0]["mass"] = json!(0),
+            &["run", "--until", time],
+            "--until",
+        );
+    }
     let no_mass = |one: &mut Value| {
         for link in one["links"].as_array_mut().unwrap() {
             link.as_object_mut()
