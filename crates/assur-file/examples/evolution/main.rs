@@ -1,11 +1,18 @@
-//! The search for a four-bar that traces a path, beside differential evolution with the same processor time: twenty curves
-//! of linkages of the gallery, and ten drawn by hand. `cargo xtask paths` runs it.
+//! The search for a four-bar that traces a path, beside differential evolution with the same time: twenty curves of
+//! linkages of the gallery, and ten drawn by hand. `cargo xtask paths` runs it.
 //!
 //! `cargo run --release -p assur-file --example evolution -- [CURVE …]`: all thirty curves, or those with these names.
+
+#![expect(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a program for developers may stop with a panic"
+)]
 
 mod curves;
 mod evolve;
 
+use std::process::ExitCode;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -21,18 +28,17 @@ const SECONDS: [u64; 3] = [1, 3, 10];
 const SEEDS: usize = 5;
 /// Both methods run in turns of this time, so that other work on the machine slows both alike.
 const TURN: Duration = Duration::from_millis(50);
-/// Ratio from which a distance counts as worse.
-const WORSE: f64 = 1.02;
 
 /// Runs the comparison and prints medians of the greatest distance over five seeds, relative to the size of the path.
-fn main() {
+fn main() -> ExitCode {
     let names: Vec<String> = std::env::args().skip(1).collect();
     let mut curves = curves::all();
     let known: Vec<String> = curves.iter().map(|curve| curve.name.clone()).collect();
-    curves.retain(|curve| names.is_empty() || names.contains(&curve.name));
-    if curves.is_empty() {
-        return eprintln!("no such curve; there are: {}", known.join(", "));
+    if let Some(name) = names.iter().find(|name| !known.contains(name)) {
+        eprintln!("no curve {name}; there are: {}", known.join(", "));
+        return ExitCode::from(2);
     }
+    curves.retain(|curve| names.is_empty() || names.contains(&curve.name));
     println!(
         "{:30} {:>24} {:>24} {:>24}",
         "curve; search, evolution after", "1 s", "3 s", "10 s"
@@ -43,7 +49,7 @@ fn main() {
         while let Some(curve) = { next.lock().unwrap().next() } {
             let medians = beside(curve);
             let shown = medians.map(|[search, evolution]| {
-                let mark = if search > WORSE * evolution { "!" } else { " " };
+                let mark = if search > evolution { "!" } else { " " };
                 format!("{search:11.5} {evolution:11.5}{mark}")
             });
             println!("{:30} {}", curve.name, shown.join(" "));
@@ -63,11 +69,12 @@ fn main() {
     for (k, seconds) in SECONDS.iter().enumerate() {
         let of: Vec<f64> = ratios.iter().map(|ratios| ratios[k]).collect();
         let mean = (of.iter().map(|ratio| ratio.ln()).sum::<f64>() / of.len() as f64).exp();
-        let worse = of.iter().filter(|ratio| **ratio * WORSE < 1.0).count();
+        let worse = of.iter().filter(|ratio| **ratio < 1.0).count();
         println!(
             "after {seconds} s: evolution / search {mean:.3} (geometric mean); search worse {worse} times"
         );
     }
+    ExitCode::SUCCESS
 }
 
 /// Medians of the greatest distances of search and evolution after each time.
@@ -85,21 +92,8 @@ fn beside(curve: &Drawn) -> [[f64; 2]; 3] {
         for (k, seconds) in SECONDS.iter().enumerate() {
             let until = Duration::from_secs(*seconds);
             while spent.iter().any(|spent| *spent < until) {
-                let run = |mut step: Box<dyn FnMut() + '_>, spent: &mut Duration| {
-                    let end = until.min(*spent + TURN);
-                    while *spent < end {
-                        let start = Instant::now();
-                        step();
-                        *spent += start.elapsed();
-                    }
-                };
-                run(
-                    Box::new(|| {
-                        search.step(256);
-                    }),
-                    &mut spent[0],
-                );
-                run(Box::new(|| evolution.generation()), &mut spent[1]);
+                turn(&mut spent[0], until, || _ = search.step(256));
+                turn(&mut spent[1], until, || evolution.generation());
             }
             let linkage = search.best().map(|best| best.linkage);
             found[k][0].push(greatest(linkage, &target));
@@ -114,6 +108,16 @@ fn beside(curve: &Drawn) -> [[f64; 2]; 3] {
             values[SEEDS / 2] / target.size()
         })
     })
+}
+
+/// Runs a method for its turn, at most up to a time in all.
+fn turn(spent: &mut Duration, until: Duration, mut step: impl FnMut()) {
+    let end = until.min(*spent + TURN);
+    while *spent < end {
+        let start = Instant::now();
+        step();
+        *spent += start.elapsed();
+    }
 }
 
 /// The greatest distance between the path and the curve that a linkage traces as it moves.
