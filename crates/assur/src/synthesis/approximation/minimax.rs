@@ -16,6 +16,8 @@ const WEIGHTINGS: usize = 24;
 const FIRST_POWER: i32 = 16;
 /// Least weight relative to the greatest.
 const LEAST_WEIGHT: f64 = 1e-9;
+/// Weight, relative to the greatest, from which a distance counts in the equations.
+const USED_WEIGHT: f64 = 1e-6;
 /// Initial damping, and maximum number of dampings of a step.
 const FIRST_DAMPING: f64 = 1e-3;
 const TRIES: usize = 6;
@@ -70,7 +72,9 @@ fn chebyshev_step(
         let mut equations = Equations::NONE;
         for ((gradient, distance), weight) in rows.iter().zip(weights.iter_mut()) {
             *weight = (*weight / most).max(LEAST_WEIGHT);
-            equations.add(gradient, *distance, *weight);
+            if *weight >= USED_WEIGHT {
+                equations.add(gradient, *distance, *weight);
+            }
         }
         let damped = equations.damped(damping, tolerance::NEGLIGIBLE);
         let step = damped.step(limits)?;

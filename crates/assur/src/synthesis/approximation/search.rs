@@ -78,6 +78,9 @@ pub struct Search {
     batches: usize,
     /// Local optima, the best first.
     optima: Vec<Optimum>,
+    /// Optima of least squares, and of the first of the last descents. A descent that reaches one again is given up.
+    of_squares: Reached,
+    of_last: Reached,
     exact: Option<Approximation>,
 }
 
@@ -86,14 +89,30 @@ struct Optimum {
     fitted: Fitted,
     candidate: Candidate,
     deviation: Deviation,
-    /// Root mean square of the distances at the feet after the descent by least squares, if there was one; it
-    /// distinguishes optima.
-    squares: Option<f64>,
+}
+
+/// Optima that descents have reached, by their deviations: linkages with the same curve have the same.
+#[derive(Clone, Debug, Default)]
+struct Reached(Vec<Deviation>);
+
+impl Reached {
+    /// Adds an optimum. True if it is new.
+    fn add(&mut self, deviation: Deviation) -> bool {
+        let close = |a: f64, b: f64| (a - b).abs() <= SAME * b;
+        let is_new = !self.0.iter().any(|other| {
+            close(deviation.greatest, other.greatest)
+                && close(deviation.root_mean_square, other.root_mean_square)
+        });
+        if is_new {
+            self.0.push(deviation);
+        }
+        is_new
+    }
 }
 
 /// Number of candidates of the first batch. Each further batch has twice as many, up to `MOST_BATCH`.
 const FIRST_BATCH: usize = 256;
-const MOST_BATCH: usize = 4096;
+const MOST_BATCH: usize = 8192;
 /// Numbers of candidates of a batch that descend: of those drawn anew, and of those drawn near an optimum.
 const DESCENDING: [usize; 2] = [4, 2];
 /// Number of optima that are kept.
@@ -115,7 +134,7 @@ const SETTLED: f64 = tolerance::TRIPLE_ROOT;
 const HOPE: f64 = 1.5;
 /// One batch of so many lets its candidates near optima descend by the greatest distance directly.
 const DIRECT: usize = 4;
-/// Relative difference of root mean squares, or of deviations, up to which two optima count as the same.
+/// Relative difference of deviations up to which two optima count as the same.
 const SAME: f64 = 1e-3;
 /// Deviation, relative to the size of the path, below which no better linkage is sought.
 const EXACT: f64 = 1e-11;
@@ -145,6 +164,8 @@ impl Search {
             left: FIRST_BATCH,
             batches: 0,
             optima: Vec::new(),
+            of_squares: Reached::default(),
+            of_last: Reached::default(),
             exact,
         }
     }
@@ -255,6 +276,7 @@ impl Search {
     fn end_of_batch(&mut self) {
         let batch = std::mem::take(&mut self.batch);
         let directly = self.wanted.norm == Norm::Greatest && self.batches % DIRECT == DIRECT - 1;
+        let mut screened = Vec::new();
         for (near, batch) in [false, true].into_iter().zip(batch) {
             for (found, candidate) in batch {
                 if let Some(fitted) = Fitted::new(&candidate, &found, &self.target) {
@@ -262,9 +284,16 @@ impl Search {
                         self.keep_directly(fitted, candidate);
                     } else {
                         let fitted = Descent::new(fitted, 2, SCREENED).run(&self.target, STEPS);
-                        self.keep(fitted, candidate);
+                        screened.push((self.rank(&fitted.at_feet()), fitted, candidate));
                     }
                 }
+            }
+        }
+        // Only the best that leads to a new optimum is kept: the last descents take most of the time.
+        sort_by(&mut screened, |a, b| a.0.total_cmp(&b.0));
+        for (_, fitted, candidate) in screened {
+            if self.keep(fitted, candidate) {
+                break;
             }
         }
         self.batches += 1;
@@ -272,26 +301,24 @@ impl Search {
         self.left = count.min(MOST_BATCH);
     }
 
-    /// Adds an optimum after a longer descent, if it is new and good enough.
-    fn keep(&mut self, fitted: Fitted, candidate: Candidate) {
-        let worst = self.optima.last().filter(|_| self.optima.len() >= KEPT);
-        let bar = worst.map_or(f64::INFINITY, |worst| HOPE * self.rank(&worst.deviation));
-        let hopeful = |deviation: &Deviation| self.rank(deviation) < bar;
-        if !hopeful(&fitted.at_feet()) {
-            return;
+    /// Adds an optimum after a longer descent, if it is new and good enough. True if it is added.
+    fn keep(&mut self, fitted: Fitted, candidate: Candidate) -> bool {
+        if !self.is_hopeful(&fitted.at_feet()) {
+            return false;
         }
         let fitted = Descent::new(fitted, 2, SETTLED).run(&self.target, STEPS);
-        let squares = fitted.at_feet().root_mean_square;
-        let known = |other: &f64| (squares - other).abs() <= SAME * other;
-        let mut all = self.optima.iter().filter_map(|one| one.squares.as_ref());
-        if all.any(known) {
-            return;
+        let is_new = self.of_squares.add(fitted.at_feet());
+        if !is_new || !self.is_hopeful(&Deviation::of(&fitted, &self.target)) {
+            return false;
         }
-        let deviation = Deviation::of(&fitted, &self.target);
-        if !hopeful(&deviation) {
-            return;
-        }
-        self.add(fitted, candidate, Some(squares));
+        self.add(fitted, candidate);
+        true
+    }
+
+    /// True if the last descents may lead from this deviation to one of the best optima.
+    fn is_hopeful(&self, deviation: &Deviation) -> bool {
+        let worst = self.optima.get(KEPT - 1);
+        worst.is_none_or(|worst| self.rank(deviation) < HOPE * self.rank(&worst.deviation))
     }
 
     /// Adds an optimum that is found without least squares, if it is good enough. Some optima of the greatest distance
@@ -299,14 +326,13 @@ impl Search {
     fn keep_directly(&mut self, fitted: Fitted, candidate: Candidate) {
         let fitted = fitted.both_ways(&self.target);
         let fitted = Descent::new(fitted, FIRST_POWER, SCREENED).run(&self.target, STEPS);
-        let worst = self.optima.last().map(|worst| self.rank(&worst.deviation));
-        if worst.is_none_or(|worst| self.rank(&fitted.at_feet()) < HOPE * worst) {
-            self.add(fitted, candidate, None);
+        if self.is_hopeful(&fitted.at_feet()) {
+            self.add(fitted, candidate);
         }
     }
 
     /// Adds an optimum after the last descents, which compare all distances of its deviation, if it is among the best.
-    fn add(&mut self, fitted: Fitted, candidate: Candidate, squares: Option<f64>) {
+    fn add(&mut self, fitted: Fitted, candidate: Candidate) {
         let deviation = Deviation::of(&fitted, &self.target);
         let mut best = (fitted.clone(), deviation);
         let (power, exchanges) = match self.wanted.norm {
@@ -315,6 +341,9 @@ impl Search {
         };
         let mut fitted = fitted.both_ways(&self.target);
         fitted = Descent::new(fitted, power, SETTLED).run(&self.target, LAST_STEPS);
+        if !self.of_last.add(fitted.at_feet()) {
+            return;
+        }
         for exchange in 0..=exchanges {
             let deviation = Deviation::of(&fitted, &self.target);
             if self.rank(&deviation) < self.rank(&best.1) {
@@ -333,7 +362,6 @@ impl Search {
             fitted,
             candidate,
             deviation,
-            squares,
         });
         let norm = self.wanted.norm;
         let rank = |one: &Optimum| match norm {
