@@ -67,10 +67,12 @@ export type AtlasCell = {
 /** From 0, a curve of the shape of the path, to 1. */ unlikeness: number | null, 
 /** Coordinates of the places of the curve, x and y in turn. */ curve: Array<number>, };
 export type AtlasHere = { 
-/** Number of values on each axis: the coupler runs fastest. */ count: number, cells: Array<AtlasCell>, };
+/** Lengths on the axes, to the right and upwards, with their common range relative to the crank. */ axes: [AtlasRatio, AtlasRatio], range: [number, number], 
+/** Number of values on each axis, at equal steps of the logarithm. The first axis runs fastest. */ count: number, cells: Array<AtlasCell>, };
 export type AtlasPage = { 
-/** Length of the frame relative to the crank. */ frame: number, 
+/** The length that is not on an axis, and its ratio to the crank. */ third: AtlasRatio, ratio: number, 
 /** The coupler point: shares of the coupler's length along it and to its left. */ point: [number, number], };
+export type AtlasRatio = "coupler" | "rocker" | "frame";
 export type AxisLayout = { 
 /** Name of the quantity; none for the input. */ name: string | null, 
 /** The subscript in the symbol of the quantity, such as 2 in φ₂; none if the quantity is not an angle. */ number: string | null, order: 0 | 1 | 2, kind: "angle" | "length" | "force" | "torque", from: number, to: number, ticks: Array<TickLayout>, };

@@ -179,7 +179,8 @@ async fn a_photograph_is_put_behind_the_path() {
     page.close().await;
 }
 
-/// The atlas is opened; by keys and by a press a linkage is placed on the path; another frame gives other curves.
+/// The atlas is opened; by keys and by a press a linkage is placed on the path; another frame, and other lengths on the
+/// axes, give other curves. The axes have names and ranges.
 #[tokio::test]
 async fn a_curve_of_the_atlas_is_placed() {
     let page = open("path-drawn").await;
@@ -191,9 +192,20 @@ async fn a_curve_of_the_atlas_is_placed() {
     .await;
     let before = page.text("path-verdict").await;
     let drawn = page.picture("path-atlas").await;
-    page.press("path-atlas-frame", Key::End).await;
+    page.press("path-atlas-third", Key::End).await;
     assert!(page.picture("path-atlas").await.difference(&drawn) > 300);
-    page.press("path-atlas-frame", Key::Home).await;
+    page.press("path-atlas-third", Key::Home).await;
+    let names = async || {
+        page.ask("return [...document.querySelectorAll('.atlas p')].map((p) => p.innerText)")
+            .await
+    };
+    let named = |up: &str, across: &str| {
+        json!([up, across].map(|name| format!("{name} / crank: 0.6 to 6, logarithmic")))
+    };
+    assert_eq!(names().await, named("rocker", "coupler"));
+    page.press("path-atlas-axes", Key::Down).await;
+    assert_eq!(names().await, named("frame", "coupler"));
+    page.press("path-atlas-axes", Key::Up).await;
     let cell = async || page.attribute("path-atlas", "data-cell").await;
     for _ in 0..5 {
         page.press("path-atlas", Key::Up).await;

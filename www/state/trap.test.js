@@ -21,7 +21,7 @@ const ENDS = { x: [1, 2], input_deg: [90, 150], output_deg: [210, 270] };
 const FUNCTION = { ...state, kind: "synthesis", document: { frame: 1, positions: [], function: { of: "log10", ...ENDS } } };
 
 const PATH = { ...state, kind: "point-path", document: { path: [[0, 0], [1, 0], [1, 1]] } };
-const PAGE = { frame: 3, point: [0.5, 0.5] };
+const PAGE = { third: "frame", ratio: 3, point: [0.5, 0.5] };
 
 /** Arguments of each method of a simulator. */
 const METHODS = {

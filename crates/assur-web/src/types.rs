@@ -15,7 +15,7 @@ use crate::kinds::draft::{DraftSummary, Drawn};
 use crate::kinds::gear_train::summary::GearTrainSummary;
 use crate::kinds::linkage::LinkageSummary;
 use crate::kinds::mixer::MixerSummary;
-use crate::kinds::point_path::atlas::{AtlasCell, AtlasHere, AtlasPage};
+use crate::kinds::point_path::atlas::{AtlasCell, AtlasHere, AtlasPage, AtlasRatio};
 use crate::kinds::point_path::search::{
     NinePointProgress, PathWork, TracingProgress, TracingWishes,
 };
@@ -96,10 +96,8 @@ fn the_scripts_know_what_crosses_the_border() {
         TracingProgress,
         NinePointProgress,
         PathWork,
-        AtlasPage,
-        AtlasHere,
-        AtlasCell,
     );
+    type Atlas = (AtlasPage, AtlasRatio, AtlasHere, AtlasCell);
     type Here = (
         AssembliesHere,
         PolygonsHere,
@@ -140,6 +138,7 @@ fn the_scripts_know_what_crosses_the_border() {
         Still,
         Synthesis,
         Paths,
+        Atlas,
         Here,
         Forces,
         Shown,

@@ -1,4 +1,4 @@
-// The atlas: coupler curves over the lengths of coupler and rocker, shaded by a chosen property. A pressed curve is
+// The atlas: coupler curves over two lengths of the four-bar, shaded by a chosen property. A pressed curve is
 // placed on the path.
 import { Surface } from "assur/canvas/surface.js";
 import { sentence } from "assur/controls/problems.js";
@@ -14,6 +14,7 @@ import { withoutExtras } from "assur/state/state.js";
  * @typedef {import("assur/kinds/point-path/verdict.js").Snapshot} Snapshot
  * @typedef {import("assur/types/web.js").AtlasCell} Cell
  * @typedef {import("assur/types/web.js").AtlasHere} Atlas
+ * @typedef {import("assur/types/web.js").AtlasRatio} Ratio
  */
 
 /** Properties of a cell that the shades can show, from 0, the lightest, to 1. */
@@ -23,9 +24,12 @@ const SHADES = Object.freeze(/** @type {Readonly<Record<string, (cell: Cell) => 
   turns: ({ grashof }) => (grashof === "crank_rocker" || grashof === "double_crank" ? 1 : 0),
 }));
 
-/** Sliders of the parameters that are not on the axes. Lengths are relative to the crank, shares to the coupler. */
+/** Lengths of which one is not on an axis. */
+const THIRDS = Object.freeze(/** @type {readonly Ratio[]} */ (["frame", "rocker", "coupler"]));
+
+/** Sliders of the parameters that are not on the axes. The length is relative to the crank, shares to the coupler. */
 const SLIDERS = Object.freeze([
-  { name: "frame", least: 0.6, most: 6, usual: 3 },
+  { name: "third", least: 0.6, most: 6, usual: 3 },
   { name: "along", least: -1, most: 2, usual: 0.5 },
   { name: "across", least: -1.5, most: 1.5, usual: 0.5 },
 ]);
@@ -47,11 +51,14 @@ export class AtlasView {
   #surface;
   #canvas = make("canvas", { id: "path-atlas", class: "map", role: "img", tabindex: "0" });
   #shade = make("select", { id: "path-atlas-shade", class: "control", "data-t-label": "path.atlas.shade" }, Object.keys(SHADES).map((name) => make("option", { value: name, "data-t": `path.atlas.shade.${name}` })));
+  #axes = make("select", { id: "path-atlas-axes", class: "control", "data-t-label": "path.atlas.axes" }, THIRDS.map((name) => make("option", { value: name, "data-t": `path.atlas.without.${name}` })));
   #sliders = SLIDERS.map(({ name, least, most, usual }) => {
-    const input = make("input", { id: `path-atlas-${name}`, type: "range", min: String(least), max: String(most), step: String(STEP), value: String(usual), "data-t-label": `path.atlas.${name}` });
-    const value = make("output", {});
-    return { input, value, element: make("label", {}, [make("span", { "data-t": `path.atlas.${name}` }), " ", value, input]) };
+    const input = make("input", { id: `path-atlas-${name}`, type: "range", min: String(least), max: String(most), step: String(STEP), value: String(usual) });
+    const [title, value] = [make("span", {}), make("output", {})];
+    return { name, input, title, value, element: make("label", {}, [title, " ", value, input]) };
   });
+  /** Names and ranges of the axes, to the right and upwards. */
+  #names = [make("p", { class: "atlas-across" }), make("p", { class: "atlas-up" })];
   #told = make("p", { id: "path-atlas-told", role: "status" });
   #details;
   /** @type {Atlas | null} */
@@ -67,9 +74,11 @@ export class AtlasView {
   constructor(page) {
     this.#page = page;
     this.#surface = new Surface(this.#canvas, () => this.#paint());
-    const content = make("div", {}, [this.#shade, ...this.#sliders.map(({ element }) => element), make("p", { "data-t": "path.atlas.hint" }), this.#canvas, this.#told]);
+    const map = make("div", { class: "atlas" }, [this.#names[1], this.#canvas, this.#names[0]]);
+    const content = make("div", {}, [this.#axes, this.#shade, ...this.#sliders.map(({ element }) => element), make("p", { "data-t": "path.atlas.hint" }), map, this.#told]);
     this.#details = make("details", { id: "path-atlas-fold" }, [make("summary", { "data-t": "path.atlas" }), content]);
     this.#details.addEventListener("toggle", () => this.#show());
+    this.#axes.addEventListener("change", () => this.#show());
     this.#shade.addEventListener("change", () => this.#paint());
     for (const { input } of this.#sliders) input.addEventListener("input", () => this.#show());
     this.#canvas.addEventListener("pointermove", (event) => this.#mark(this.#cellAt(event)));
@@ -86,8 +95,13 @@ export class AtlasView {
 
   /** @returns {import("assur/types/web.js").AtlasPage} */
   get #asked() {
-    const [frame, along, across] = this.#sliders.map(({ input }) => input.valueAsNumber);
-    return { frame, point: [along, across] };
+    const [ratio, along, across] = this.#sliders.map(({ input }) => input.valueAsNumber);
+    return { third: this.#third, ratio, point: [along, across] };
+  }
+
+  /** @returns {Ratio} the length that is not on an axis */
+  get #third() {
+    return THIRDS[this.#axes.selectedIndex];
   }
 
   #show() {
@@ -102,11 +116,14 @@ export class AtlasView {
       this.#atlas = value ?? null;
     }
     if (this.#painted.same(this.#atlas, words, theme.revision)) return;
-    for (const { input, value } of this.#sliders) {
+    for (const { name, input, title, value } of this.#sliders) {
       const { min, max, valueAsNumber: at } = input;
+      write(title, words.text(`path.atlas.${name === "third" ? this.#third : name}`));
       write(value, words.numbers.upTo(at, 2));
       input.style.setProperty("--fill", String((at - Number(min)) / (Number(max) - Number(min))));
     }
+    const [from, to] = this.#atlas?.range.map((ratio) => words.numbers.upTo(ratio, 2)) ?? [];
+    for (const [k, ratio] of this.#atlas?.axes.entries() ?? []) write(this.#names[k], words.text("path.atlas.axis", { ratio: words.text(`path.atlas.${ratio}`), from, to }));
     this.#mark(this.#at);
     this.#paint();
   }

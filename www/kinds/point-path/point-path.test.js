@@ -179,7 +179,7 @@ test("a linkage with a traced coupler point becomes a path of its own curve, wit
 });
 
 test("the curve of a cell of the atlas, taken as the path, is like itself, and its linkage is placed on it", () => {
-  const page = { frame: 3, point: [0.5, 0.5] };
+  const page = { third: "frame", ratio: 3, point: [0.5, 0.5] };
   const { count, cells } = engine.functions.pathAtlas(asked(FIVE).state, page);
   assert.equal(cells.length, count * count);
   const index = cells.findIndex(({ grashof }) => grashof === "crank_rocker");
@@ -192,7 +192,23 @@ test("the curve of a cell of the atlas, taken as the path, is like itself, and i
   const { greatest } = engine.functions.pathOfCell(state, page, index);
   assert.ok(greatest < 0.02 * asked(points, { course: "closed" }).summary.size, `${greatest}`);
   assert.equal(engine.functions.pathOfCell(state, page, cells.findIndex(({ grashof }) => grashof === null)), null);
-  assert.throws(() => engine.functions.pathAtlas(state, { ...page, frame: -1 }));
+  assert.throws(() => engine.functions.pathAtlas(state, { ...page, ratio: -1 }));
+});
+
+test("two of the three lengths are on the axes of the atlas, and all cells have the third", () => {
+  const { state } = asked(FIVE);
+  const names = ["coupler", "rocker", "frame"];
+  for (const third of names) {
+    const { axes, range, count, cells } = engine.functions.pathAtlas(state, { third, ratio: 2.5, point: [0.5, 0.5] });
+    assert.deepEqual(axes, names.filter((name) => name !== third));
+    for (const [index, { lengths }] of cells.entries()) {
+      assert.ok(Math.abs(lengths[names.indexOf(third)] - 2.5) < 1e-12);
+      for (const [k, at] of [index % count, Math.floor(index / count)].entries()) {
+        const wanted = range[0] * (range[1] / range[0]) ** (at / (count - 1));
+        assert.ok(Math.abs(lengths[names.indexOf(axes[k])] - wanted) < 1e-12 * wanted, `${third} ${index}`);
+      }
+    }
+  }
 });
 
 test("a new point continues the last two", () => {

@@ -17,22 +17,36 @@ const RANGE: [f64; 2] = [0.6, 6.0];
 /// Number of points of each curve.
 const PLACES: usize = 49;
 
+/// A length relative to the crank.
+#[derive(Clone, Copy, Deserialize, Serialize, PartialEq)]
+#[cfg_attr(test, derive(ts_rs::TS))]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum AtlasRatio {
+    Coupler,
+    Rocker,
+    Frame,
+}
+
 /// What the axes of the atlas leave open.
 #[derive(Deserialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 #[serde(deny_unknown_fields)]
 pub(crate) struct AtlasPage {
-    /// Length of the frame relative to the crank.
-    frame: f64,
+    /// The length that is not on an axis, and its ratio to the crank.
+    third: AtlasRatio,
+    ratio: f64,
     /// The coupler point: shares of the coupler's length along it and to its left.
     point: [f64; 2],
 }
 
-/// Curves over the lengths of coupler and rocker.
+/// Curves over two lengths.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(ts_rs::TS))]
 pub(crate) struct AtlasHere {
-    /// Number of values on each axis: the coupler runs fastest.
+    /// Lengths on the axes, to the right and upwards, with their common range relative to the crank.
+    axes: [AtlasRatio; 2],
+    range: [f64; 2],
+    /// Number of values on each axis, at equal steps of the logarithm. The first axis runs fastest.
     count: usize,
     cells: Vec<AtlasCell>,
 }
@@ -65,16 +79,33 @@ impl From<Cell> for AtlasCell {
     }
 }
 
+impl From<AtlasRatio> for Ratio {
+    fn from(ratio: AtlasRatio) -> Self {
+        match ratio {
+            AtlasRatio::Coupler => Self::Coupler,
+            AtlasRatio::Rocker => Self::Rocker,
+            AtlasRatio::Frame => Self::Frame,
+        }
+    }
+}
+
 impl AtlasPage {
-    fn read(page: &JsValue) -> Result<Atlas, JsValue> {
-        let Self { frame, point } = read_value(page)?;
-        let axis = |ratio| Axis {
-            ratio,
+    /// The lengths on the axes.
+    const fn axes(&self) -> [AtlasRatio; 2] {
+        match self.third {
+            AtlasRatio::Coupler => [AtlasRatio::Rocker, AtlasRatio::Frame],
+            AtlasRatio::Rocker => [AtlasRatio::Coupler, AtlasRatio::Frame],
+            AtlasRatio::Frame => [AtlasRatio::Coupler, AtlasRatio::Rocker],
+        }
+    }
+
+    fn atlas(&self) -> Result<Atlas, JsValue> {
+        let axes = self.axes().map(|ratio| Axis {
+            ratio: ratio.into(),
             range: RANGE,
             count: COUNT,
-        };
-        let axes = [axis(Ratio::Coupler), axis(Ratio::Rocker)];
-        let atlas = Atlas::new(axes, frame, &[point]);
+        });
+        let atlas = Atlas::new(axes, self.ratio, &[self.point]);
         atlas.map_err(|_| {
             one(Problem::UnknownChoice {
                 field: Field::from("atlas"),
@@ -92,10 +123,13 @@ pub fn path_atlas(
     #[wasm_bindgen(unchecked_param_type = "State")] state: JsValue,
     #[wasm_bindgen(unchecked_param_type = "AtlasPage")] page: JsValue,
 ) -> Result<JsValue, JsValue> {
-    let atlas = AtlasPage::read(&page)?;
+    let page: AtlasPage = read_value(&page)?;
+    let atlas = page.atlas()?;
     let target = document(&state)?.target().map_err(thrown)?;
     let cells = atlas.cells(0..atlas.count(), PLACES, Some(&target));
     Ok(to_js(&AtlasHere {
+        axes: page.axes(),
+        range: RANGE,
         count: COUNT,
         cells: cells.into_iter().map(AtlasCell::from).collect(),
     }))
@@ -111,7 +145,7 @@ pub fn path_of_cell(
     #[wasm_bindgen(unchecked_param_type = "AtlasPage")] page: JsValue,
     cell: usize,
 ) -> Result<JsValue, JsValue> {
-    let atlas = AtlasPage::read(&page)?;
+    let atlas = read_value::<AtlasPage>(&page)?.atlas()?;
     let target = document(&state)?.target().map_err(thrown)?;
     let found = atlas.nearest(cell, &target);
     Ok(found.map_or(JsValue::NULL, |found| to_js(&FoundTracing::of(&found))))
