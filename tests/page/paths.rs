@@ -200,7 +200,7 @@ async fn a_curve_of_the_atlas_is_placed() {
             .await
     };
     let named = |up: &str, across: &str| {
-        json!([up, across].map(|name| format!("{name} / crank: 0.6 to 6, logarithmic")))
+        json!([up, across].map(|name| format!("{name} / crank, 0.6 to 6")))
     };
     assert_eq!(names().await, named("rocker", "coupler"));
     page.press("path-atlas-axes", Key::Down).await;
