@@ -27,8 +27,8 @@ const LANGUAGES: [(&str, &[&str]); 4] = [
 /// The tables of all that the page says.
 const PAGE: &str = "lang/*.json";
 
-/// The tables of parts that are loaded on demand.
-const LATER: &str = "www/forces/words.*.json";
+/// The tables that load after those of the first view.
+const LATER: [&str; 2] = ["www/app/later.*.json", "www/forces/words.*.json"];
 
 /// The folders of the lessons.
 fn lessons() -> Vec<String> {
@@ -65,7 +65,9 @@ fn tables(place: &str) -> Vec<(&'static str, &'static [&'static str], Words)> {
 /// kinds, which the build puts there, and of the parts loaded on demand.
 fn page_words() -> Words {
     let mut words = tables(PAGE).swap_remove(0).2;
-    words.extend(tables(LATER).swap_remove(0).2);
+    for place in LATER {
+        words.extend(tables(place).swap_remove(0).2);
+    }
     words.extend(kinds::kinds().iter().flat_map(kinds::Kind::words));
     words
 }
@@ -150,10 +152,8 @@ fn every_language_says_everything() {
     let kinds = kinds::kinds();
     let kinds = kinds.iter().flat_map(kinds::Kind::places);
     let of_lessons = tables_of_lessons("paper");
-    let all = steps
-        .chain(of_lessons)
-        .chain(kinds)
-        .chain([PAGE, LATER].map(str::to_owned));
+    let of_page = [PAGE].into_iter().chain(LATER).map(str::to_owned);
+    let all = steps.chain(of_lessons).chain(kinds).chain(of_page);
     for place in all {
         let tables = tables(&place);
         let (_, _, first) = &tables[0];

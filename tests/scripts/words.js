@@ -1,4 +1,5 @@
-// The words of the page, put together from their sources by the build's own code.
+// The words of the page, those that load later included, put together from their sources by the build's own code.
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Words } from "assur/core/words.js";
 import { list } from "../../crates/xtask/build/files.js";
@@ -13,7 +14,11 @@ const ROOT = fileURLToPath(new URL("../../", import.meta.url));
  * @returns {Map<string, string>}
  */
 export function tableOf(lang) {
-  return new Map(Object.entries(words(list(`${ROOT}www`), `${ROOT}lang/${lang}.json`, lang)));
+  const sources = list(`${ROOT}www`);
+  const first = words(sources, `${ROOT}lang/${lang}.json`, lang);
+  const later = [...sources.keys()].filter((name) => name.endsWith(`/later.${lang}.json`));
+  const tables = [first, ...later.map((name) => JSON.parse(readFileSync(sources.get(name) ?? "", "utf8")))];
+  return new Map(tables.flatMap((table) => Object.entries(table)));
 }
 
 /**

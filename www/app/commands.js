@@ -51,7 +51,7 @@ function fileCommands(page) {
    */
   const later = async (load, act) => {
     // Most modules loaded here call functions in the second part of the engine, so that part is always loaded too.
-    const loaded = await awaited(Promise.all([load(), compiledWasm()])).catch(() => null);
+    const loaded = await awaited(Promise.all([load(), compiledWasm(), page.withFurther()])).catch(() => null);
     if (loaded) act(loaded[0]);
     else notices.tell(LOST);
   };

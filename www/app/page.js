@@ -48,6 +48,8 @@ export class Page {
   sheet = null;
   /** @type {Map<string, (figure: (picture: import("assur/export/pictures.js").Picture, said: string) => HTMLElement) => readonly HTMLElement[]>} what parts loaded on demand add to the worksheet, by their names */
   onPaper = new Map();
+  /** @type {Promise<void> | null} words that a first view does not show, once asked for */
+  #further = null;
 
   /**
    * @param {import("assur/engine.js").Engine} engine
@@ -129,12 +131,13 @@ export class Page {
   }
 
   /**
-   * Opens the lesson of an embedded page, and loads in advance: the second part of the engine; the gallery, which is
-   * often used; the worksheet, for which the browser's print command cannot wait.
+   * Opens the lesson of an embedded page, and loads in advance: the second part of the engine; the words that the first
+   * view does not show; the gallery, which is often used; the worksheet, for which the browser's print command cannot
+   * wait.
    */
   async #prepare() {
     this.habits.embedding?.begin(this).catch(() => this.notices.tell(LOST));
-    await compiledWasm().catch(() => this.notices.tell(LOST));
+    await Promise.all([compiledWasm(), this.withFurther()]).catch(() => this.notices.tell(LOST));
     import("assur/gallery/gallery.js").catch(() => null);
     const part = await import("assur/export/worksheet.js").catch(() => null);
     part?.printWorksheets(this);
@@ -244,6 +247,16 @@ export class Page {
    */
   withForces(part) {
     return this.withWords("forces/words.*", part);
+  }
+
+  /**
+   * Adds the words that a first view does not show. If they do not load, the next call tries again.
+   * @returns {Promise<void>}
+   */
+  withFurther() {
+    this.#further ??= this.withWords("app/later.*", Promise.resolve()).then(() => this.redraw());
+    this.#further.catch(() => { this.#further = null; });
+    return this.#further;
   }
 
   /**

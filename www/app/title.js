@@ -22,7 +22,8 @@ export class Title {
     const name = titleOf(state, this.#engine, words);
     write(this.#heading, name);
     document.title = `${name} · Assur`;
-    this.#heading.title = preset ? words.text(`about.${preset.id}`) : "";
+    const about = `about.${preset?.id}`;
+    this.#heading.title = words.has(about) ? words.text(about) : "";
     this.#named.dataset.n = name;
     words.fill(this.#named.parentElement ?? this.#named);
   }

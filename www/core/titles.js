@@ -22,9 +22,11 @@ export function titleOf(state, engine, words) {
  * @param {import("assur/state/state.js").Documents["linkage"]} linkage
  * @param {Engine} engine
  * @param {Words} words
- * @returns {string} source of the linkage: that of the catalogue in the reader's language, any other as it was written
+ * @returns {string} source of the linkage: that of the catalogue in the reader's language, empty until its words have loaded; any other as it was written
  */
 export function sourceOf({ origin, source }, engine, words) {
   const { source: noted } = /** @type {{ source?: string }} */ (engine.catalogue.preset(origin ?? "")?.document ?? {});
-  return source && source === noted ? words.text(`source.${origin}`) : source ?? "";
+  if (!source || source !== noted) return source ?? "";
+  const known = `source.${origin}`;
+  return words.has(known) ? words.text(known) : "";
 }

@@ -147,7 +147,7 @@ export class Lesson {
   /** @param {Words} words words of the page, in the wanted language */
   async #bringWriter(words) {
     // A lecturer's numbers may be masses and loads.
-    const { Writer } = await this.#page.withForces(import("assur/lesson/writer.js"));
+    const [{ Writer }] = await Promise.all([this.#page.withForces(import("assur/lesson/writer.js")), this.#page.withFurther()]);
     return { show: () => {
       this.#leave();
       this.#writer = new Writer(this.#container, this.#page, this.#page.words);

@@ -12,6 +12,9 @@ import { ENTRIES } from "assur/kinds/gear-train/status.js";
 import { WheelsView } from "assur/kinds/gear-train/wheels.js";
 import "assur/kinds/gear-train/style.js";
 
+/** Words that only this kind has. */
+export const words = "kinds/gear-train/later.*";
+
 /** @type {import("assur/app/views.js").Make} */
 export const views = (page) => [
   new DrivesView(page), new ObserverView(page), new WheelsView(page), new ConditionsView(page), new RatiosView(), new MembersView(page), new LoadView(page),

@@ -2,18 +2,16 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test from "node:test";
-import { Words } from "assur/core/words.js";
 import { closes, thinned } from "assur/kinds/point-path/pen.js";
 import { another } from "assur/kinds/point-path/task.js";
 import { FILTERS, csvOf, missedBy, saidOf, typeOf, verdictOf } from "assur/kinds/point-path/verdict.js";
 import { NinePointSearch, NinePointWorker, PathSearch } from "assur/pkg/assur_web.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
-import { LANGUAGES, tableOf } from "assur/tests/words.js";
+import { LANGUAGES, wordsOf } from "assur/tests/words.js";
 
 const engine = newEngine();
-const later = (/** @type {string} */ lang) => JSON.parse(readFileSync(new URL(`./later.${lang}.json`, import.meta.url), "utf8"));
-const ALL = LANGUAGES.map((lang) => new Words(lang, new Map([...tableOf(lang), ...Object.entries(later(lang))])));
+const ALL = LANGUAGES.map((lang) => wordsOf(lang));
 const [english] = ALL;
 const START = readFileSync(new URL("../../data/nine-points.bin", import.meta.url));
 

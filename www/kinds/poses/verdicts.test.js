@@ -1,17 +1,14 @@
 // Tests of poses of a body: summary and drags by the engine, sentences on special poses in every language, the file of pairs.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import test from "node:test";
-import { Words } from "assur/core/words.js";
 import { another } from "assur/kinds/poses/task.js";
 import { FILTERS, csvOf, saidOf, typeOf, verdictOf } from "assur/kinds/poses/verdicts.js";
 import { initialState } from "assur/state/state.js";
 import { newEngine, stateOf } from "assur/tests/engine.js";
-import { LANGUAGES, tableOf } from "assur/tests/words.js";
+import { LANGUAGES, wordsOf } from "assur/tests/words.js";
 
 const engine = newEngine();
-const later = (/** @type {string} */ lang) => JSON.parse(readFileSync(new URL(`./later.${lang}.json`, import.meta.url), "utf8"));
-const ALL = LANGUAGES.map((lang) => new Words(lang, new Map([...tableOf(lang), ...Object.entries(later(lang))])));
+const ALL = LANGUAGES.map((lang) => wordsOf(lang));
 const [english] = ALL;
 
 /**

@@ -11,6 +11,9 @@ import { PracticeView } from "assur/kinds/scheme/practice.js";
 import { ENTRIES } from "assur/kinds/scheme/status.js";
 import "assur/kinds/scheme/style.js";
 
+/** Words that only this kind has. */
+export const words = "kinds/scheme/later.*";
+
 /** @type {import("assur/app/views.js").Make} */
 export const views = (page) => [
   new Opening(page), new MethodView(page), new FormulasView(), new GeometryView(page), new PairsView(page), new LookView(page), new PracticeView(page),
