@@ -196,11 +196,14 @@ async fn a_curve_of_the_atlas_is_placed() {
     assert!(page.picture("path-atlas").await.difference(&drawn) > 300);
     page.press("path-atlas-third", Key::Home).await;
     let names = async || {
-        page.ask("return [...document.querySelectorAll('.atlas p')].map((p) => p.innerText)")
+        page.ask("return [...document.querySelectorAll('.atlas-axis')].map((p) => p.innerText)")
             .await
     };
     let named = |up: &str, across: &str| {
-        json!([up, across].map(|name| format!("{name} / crank, 0.6 to 6")))
+        json!([
+            format!("↑ {up} / crank, 0.6 to 6"),
+            format!("→ {across} / crank, 0.6 to 6")
+        ])
     };
     assert_eq!(names().await, named("rocker", "coupler"));
     page.press("path-atlas-axes", Key::Down).await;

@@ -35,6 +35,9 @@ const SLIDERS = Object.freeze([
 ]);
 const STEP = 0.05;
 
+/** Senses of the axes. */
+const ARROWS = Object.freeze(["→", "↑"]);
+
 /**
  * `ROOM`: room around a curve, as a part of its cell. `DARKEST`: greatest opacity of a shade. `CONTRAST`: exponent that
  * makes great values stand out.
@@ -58,7 +61,7 @@ export class AtlasView {
     return { name, input, title, value, element: make("label", {}, [title, " ", value, input]) };
   });
   /** Names and ranges of the axes, to the right and upwards. */
-  #names = [make("p", { class: "atlas-across" }), make("p", { class: "atlas-up" })];
+  #names = [make("p", { class: "atlas-axis" }), make("p", { class: "atlas-axis" })];
   #told = make("p", { id: "path-atlas-told", role: "status" });
   #details;
   /** @type {Atlas | null} */
@@ -74,8 +77,8 @@ export class AtlasView {
   constructor(page) {
     this.#page = page;
     this.#surface = new Surface(this.#canvas, () => this.#paint());
-    const map = make("div", { class: "atlas" }, [this.#names[1], this.#canvas, this.#names[0]]);
-    const content = make("div", {}, [this.#axes, this.#shade, ...this.#sliders.map(({ element }) => element), make("p", { "data-t": "path.atlas.hint" }), map, this.#told]);
+    const [across, up] = this.#names;
+    const content = make("div", {}, [this.#axes, this.#shade, ...this.#sliders.map(({ element }) => element), make("p", { "data-t": "path.atlas.hint" }), up, this.#canvas, across, this.#told]);
     this.#details = make("details", { id: "path-atlas-fold" }, [make("summary", { "data-t": "path.atlas" }), content]);
     this.#details.addEventListener("toggle", () => this.#show());
     this.#axes.addEventListener("change", () => this.#show());
@@ -123,7 +126,7 @@ export class AtlasView {
       input.style.setProperty("--fill", String((at - Number(min)) / (Number(max) - Number(min))));
     }
     const [from, to] = this.#atlas?.range.map((ratio) => words.numbers.upTo(ratio, 2)) ?? [];
-    for (const [k, ratio] of this.#atlas?.axes.entries() ?? []) write(this.#names[k], words.text("path.atlas.axis", { ratio: words.text(`path.atlas.${ratio}`), from, to }));
+    for (const [k, ratio] of this.#atlas?.axes.entries() ?? []) write(this.#names[k], `${ARROWS[k]} ${words.text("path.atlas.axis", { ratio: words.text(`path.atlas.${ratio}`), from, to })}`);
     this.#mark(this.#at);
     this.#paint();
   }
