@@ -30,9 +30,13 @@ pub(crate) fn document(name: &str) -> LinkageDocument {
 
 /// What the page says in English.
 fn word(key: &str) -> String {
-    let words = include_str!("../../lang/en.json");
-    let words: BTreeMap<String, String> = serde_json::from_str(words).unwrap();
-    words[key].clone()
+    let tables = [
+        include_str!("../../lang/en.json"),
+        include_str!("../../www/app/later.en.json"),
+    ];
+    let tables = tables.map(|table| serde_json::from_str::<BTreeMap<String, String>>(table));
+    let mut found = tables.iter().flatten().filter_map(|table| table.get(key));
+    found.next().unwrap().clone()
 }
 
 /// What the gallery calls a mechanism.
