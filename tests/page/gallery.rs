@@ -34,7 +34,7 @@ fn word(key: &str) -> String {
         include_str!("../../lang/en.json"),
         include_str!("../../www/app/later.en.json"),
     ];
-    let tables = tables.map(|table| serde_json::from_str::<BTreeMap<String, String>>(table));
+    let tables = tables.map(serde_json::from_str::<BTreeMap<String, String>>);
     let mut found = tables.iter().flatten().filter_map(|table| table.get(key));
     found.next().unwrap().clone()
 }
