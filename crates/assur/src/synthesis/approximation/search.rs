@@ -289,10 +289,11 @@ impl Search {
                 }
             }
         }
-        // Only the best that leads to a new optimum is kept: the last descents take most of the time.
+        // Only the best that leads to a new optimum is kept: the last descents take most of the time. Of exact linkages,
+        // which end the search, all are kept.
         sort_by(&mut screened, |a, b| a.0.total_cmp(&b.0));
         for (_, fitted, candidate) in screened {
-            if self.keep(fitted, candidate) {
+            if self.keep(fitted, candidate) && !self.is_exact() {
                 break;
             }
         }
