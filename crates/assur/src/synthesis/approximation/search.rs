@@ -2,6 +2,8 @@
 //! further candidates are drawn near the optima. The search runs in steps, so that the best linkage can be shown
 //! meanwhile.
 
+mod reached;
+
 use super::approximation::Approximation;
 use super::compare::{Candidate, Match, Part, Pattern};
 use super::curve::Kind;
@@ -13,6 +15,7 @@ use super::minimax;
 use super::target::Target;
 use crate::sorting::sort_by;
 use crate::tolerance;
+use reached::Reached;
 
 /// Norm of the distances that is to be minimized.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,25 +92,6 @@ struct Optimum {
     fitted: Fitted,
     candidate: Candidate,
     deviation: Deviation,
-}
-
-/// Optima that descents have reached, by their deviations: linkages with the same curve have the same.
-#[derive(Clone, Debug, Default)]
-struct Reached(Vec<Deviation>);
-
-impl Reached {
-    /// Adds an optimum. True if it is new.
-    fn add(&mut self, deviation: Deviation) -> bool {
-        let close = |a: f64, b: f64| (a - b).abs() <= SAME * b;
-        let is_new = !self.0.iter().any(|other| {
-            close(deviation.greatest, other.greatest)
-                && close(deviation.root_mean_square, other.root_mean_square)
-        });
-        if is_new {
-            self.0.push(deviation);
-        }
-        is_new
-    }
 }
 
 /// Number of candidates of the first batch. Each further batch has twice as many, up to `MOST_BATCH`.

@@ -170,21 +170,6 @@ fn a_search_is_determined_by_its_seed() {
 }
 
 /// Points nearly in line, in pairs, far from the origin, far apart: numbers stay finite.
-/// An optimum is known if both of its distances are; the better of two with one distance in common is new.
-#[test]
-fn optima_are_reached_once() {
-    let at = |greatest, root_mean_square| Deviation {
-        greatest,
-        root_mean_square,
-    };
-    let mut reached = Reached::default();
-    assert!(reached.add(at(0.2, 0.1)));
-    assert!(!reached.add(at(0.2001, 0.09995)));
-    assert!(reached.add(at(0.19, 0.1)));
-    assert!(reached.add(at(0.2, 0.09)));
-    assert!(!reached.add(at(0.19, 0.1)));
-}
-
 #[test]
 fn awkward_points_give_finite_numbers() {
     let flat: Vec<Point> = (0..20)
